@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/labels/label.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace s2b
+{
+
+using PointIndex = std::uint32_t;
+
+/// A point cloud in metres, Z up. Points are float relative to a double origin (as CloudCompare's global shift), so
+/// that a georeferenced scan keeps its millimetres: the float spacing at 100 m from the origin is 8 um.
+///
+/// World coordinate of point i: origin + points[i]. `labels` is empty or of the size of `points`.
+struct PointCloud
+{
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+    std::vector<Eigen::Vector3f> points;
+    std::vector<Label> labels;
+
+    [[nodiscard]] std::size_t size() const noexcept { return points.size(); }
+    [[nodiscard]] bool hasLabels() const noexcept { return !labels.empty(); }
+};
+
+/// A cloud to read, as its owner stores it: no copy is made. Everything is a view; the owner outlives it.
+///
+/// `xyz` has 3 floats a point. Georeferenced coordinates are `origin + xyz`.
+struct CloudView
+{
+    const float* xyz = nullptr;
+    std::size_t count = 0;
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+    const std::uint8_t* labels = nullptr;  ///< values of Label, one a point; null without labels
+};
+
+}  // namespace s2b

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/context.h"
+#include "core/cloud/surface_cells.h"
+#include "core/levels/levels.h"
+#include "core/model/building.h"
+
+#include <vector>
+
+namespace s2b
+{
+
+/// Columns (D3.6, 3.6).
+struct ColumnParams
+{
+    double clusterRadius_m = 0.10;     ///< DBSCAN radius; D3.6, 3.6
+    int clusterMinimumCells = 20;      ///< smaller clusters are artefacts; D3.6, 3.6 (100 to 5000 points)
+    double sliceMargin_m = 0.25;       ///< cut off above the floor and below the ceiling; D3.6, 3.6
+    double minimumSize_m = 0.08;
+    double maximumSize_m = 1.60;
+    double circleTolerance_m = 0.012;  ///< RMS of a circle fit that makes a column round
+    int circleTrials = 200;            ///< RANSAC trials; D3.6, 3.6
+    bool operator==(const ColumnParams&) const = default;
+};
+
+}  // namespace s2b

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/context.h"
+#include "core/cloud/surface_cells.h"
+#include "core/levels/levels.h"
+#include "core/model/building.h"
+
+#include <vector>
+
+namespace s2b
+{
+
+/// Wall reconstruction (D3.6, 3.4).
+struct WallParams
+{
+    double normalTolerance = 0.1;      ///< |1 - |n . axis||; D3.6, 3.4.1
+    double clusterRadius_m = 0.10;     ///< DBSCAN radius; D3.6, 3.4.2
+    int clusterMinimumCells = 10;      ///< DBSCAN minimum neighbours, in cells
+    double planeDistance_m = 0.02;     ///< largest distance of a cell from its plane
+    double minimumFaceArea_m2 = 0.15;  ///< smallest face that counts
+    double minimumThickness_m = 0.05;
+    double maximumThickness_m = 0.60;  ///< largest distance of parallel planes of one wall; D3.6, 3.4.3
+    double defaultThickness_m = 0.20;  ///< of a wall with one face seen and nothing that says more; D3.6, 1.2
+    double defaultExternalThickness_m = 0.30;
+    double minimumLength_m = 0.30;     ///< D3.6, 6.2: size limits
+    double minimumHeight_m = 0.80;     ///< D3.6, 6.2: size limits
+    double mergeGap_m = 0.45;          ///< largest gap between collinear pieces of one wall; D3.6, 3.4.4
+    double mergeOffset_m = 0.03;       ///< largest offset between collinear pieces of one wall
+    double closeGap_m = 0.60;          ///< largest gap that is closed at a corner; D3.6, 3.4.4
+    bool operator==(const WallParams&) const = default;
+};
+
+}  // namespace s2b
