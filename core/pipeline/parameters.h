@@ -60,6 +60,11 @@ struct ParameterInfo
 /// "name=value". @throws Error{BadParameter} for an unknown name, text that is no number, a value out of range.
 void setParameter(Parameters& parameters, std::string_view assignment);
 
+/// Checks every value against its range, and every stage.minimumX against its stage.maximumX: a set of parameters that
+/// was changed one by one, or filled by hand, before it is used.
+/// @throws Error{BadParameter} that names the first offending parameter.
+void checkParameters(const Parameters& parameters);
+
 /// Reads a TOML file: tables are the part before the dot, keys the part after it. All or nothing.
 /// @throws Error{BadParameter} that names the file, and the line or the parameter.
 void loadConfig(Parameters& parameters, const std::string& path);

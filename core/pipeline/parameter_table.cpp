@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The rows of the parameter table. A test compares them with the members of the structs: a member without a row, a
+/// row with another name than its member's, and a default outside its range are all found.
+///
+/// Sources: "D3.6, n" when the section gives the value; "D3.6, n; value: practice" when it gives the parameter but no
+/// value; "practice" for a value from the dimensions that buildings and surveys commonly have; "measured: ..." when it
+/// was chosen by an experiment.
+// clang-format off
+#include "core/pipeline/parameters.h"
+
+namespace s2b
+{
+
+namespace
+{
+
+/// One row for a member of one stage's struct.
+template <auto kStage, auto kMember>
+ParameterInfo row(const char* name, const char* unit, double minimum, double maximum, const char* help, const char* source)
+{
+    return {name, unit, minimum, maximum, help, source, +[](Parameters& p) { return &((p.*kStage).*kMember); }};
+}
+
+}  // namespace
+
+const std::vector<ParameterInfo>& parameterTable()
+{
+    using P = Parameters;
+    static const std::vector<ParameterInfo> kTable = {
+        row<&P::clutter, &ClutterParams::enabled>("clutter.enabled", "", 0, 1, "Whether sparse surroundings are removed first.", "D3.6, 3.2"),
+        row<&P::clutter, &ClutterParams::voxelSize_m>("clutter.voxelSize", "m", 0.1, 5, "Edge of the voxels whose points are counted.", "D3.6, 3.2"),
+        row<&P::clutter, &ClutterParams::minimumDensity>("clutter.minimumDensity", "1", 0, 1, "Voxels with a smaller share of the cloud's typical number of points are clutter.", "D3.6, 3.2 (2500 points of one cloud, made relative); value: practice"),
+        row<&P::clutter, &ClutterParams::margin_m>("clutter.margin", "m", 0, 10, "Kept around the box of the dense voxels.", "practice: most of a voxel, so that the outermost faces stay whole"),
+
+        row<&P::cells, &CellParams::size_m>("cells.size", "m", 0.005, 0.2, "Edge of a surface cell in a dense cloud; a sparser cloud gets larger cells.", "practice: below half of the thinnest wall"),
+        row<&P::cells, &CellParams::spacingsPerCell>("cells.spacingsPerCell", "1", 0.5, 10, "Smallest cell edge in units of the cloud's point spacing.", "practice: 27 cells then hold about 9 points of a surface"),
+        row<&P::cells, &CellParams::minimumNeighbours>("cells.minimumNeighbours", "1", 3, 100, "Points that a neighbourhood needs for a normal.", "practice: twice the three that define a plane"),
+
+        row<&P::frame, &FrameParams::verticalTolerance>("frame.verticalTolerance", "1", 0.001, 0.7, "Largest |z| of the unit normal of a vertical surface.", "practice: about 9 degrees"),
+
+        row<&P::levels, &LevelParams::binSize_m>("levels.binSize", "m", 0.005, 0.2, "Bin of the height histogram.", "D3.6, 3.3; value: practice, a surface cell"),
+        row<&P::levels, &LevelParams::minimumRoomHeight_m>("levels.minimumRoomHeight", "m", 0.5, 10, "A ceiling is at least so far above its floor.", "D3.6, 3.3; value: practice, below the lowest usable room"),
+        row<&P::levels, &LevelParams::maximumRoomHeight_m>("levels.maximumRoomHeight", "m", 1, 50, "A ceiling is at most so far above its floor.", "D3.6, 3.3; value: practice"),
+        row<&P::levels, &LevelParams::minimumArea_m2>("levels.minimumArea", "m2", 0.1, 10000, "Smallest horizontal surface that makes a level.", "practice: a small room"),
+        row<&P::levels, &LevelParams::minimumAreaShare>("levels.minimumAreaShare", "1", 0, 1, "Smallest surface that makes a level, as a share of the largest level's.", "practice: more than tables and shelves of one height cover"),
+
+        row<&P::walls, &WallParams::normalTolerance>("walls.normalTolerance", "1", 0.001, 0.5, "Largest 1 - |n.a| of a normal n that belongs to the direction a.", "D3.6, 3.4.1"),
+        row<&P::walls, &WallParams::clusterRadius_m>("walls.clusterRadius", "m", 0.01, 1, "DBSCAN radius of wall instances.", "D3.6, 3.4.2; value: practice, below the narrowest passage"),
+        row<&P::walls, &WallParams::clusterMinimumCells>("walls.clusterMinimumCells", "1", 1, 1000, "Cells within the radius that make a cell a core of an instance.", "D3.6, 3.4.2; value: practice"),
+        row<&P::walls, &WallParams::planeDistance_m>("walls.planeDistance", "m", 0.002, 0.2, "Largest distance of a cell from its plane.", "D3.6, 3.4.3; value: practice, several times a scanner's noise"),
+        row<&P::walls, &WallParams::minimumFaceArea_m2>("walls.minimumFaceArea", "m2", 0.01, 10, "Smallest face that counts.", "D3.6, 3.4.3 (minimum support, made an area); value: practice"),
+        row<&P::walls, &WallParams::minimumThickness_m>("walls.minimumThickness", "m", 0.01, 1, "Parallel faces nearer than this are not two faces of a wall.", "practice: the thinnest partitions"),
+        row<&P::walls, &WallParams::maximumThickness_m>("walls.maximumThickness", "m", 0.05, 3, "Parallel faces farther apart than this are not two faces of one wall.", "D3.6, 3.4.3; value: practice"),
+        row<&P::walls, &WallParams::defaultThickness_m>("walls.defaultThickness", "m", 0.01, 3, "Assumed thickness of a wall with one face seen.", "practice: a common interior wall"),
+        row<&P::walls, &WallParams::defaultExternalThickness_m>("walls.defaultExternalThickness", "m", 0.01, 3, "Assumed thickness of an external wall with one face seen.", "practice: a common external wall"),
+        row<&P::walls, &WallParams::minimumLength_m>("walls.minimumLength", "m", 0.05, 10, "Shorter walls are dropped.", "D3.6, 6.2 (dimension threshold); value: practice"),
+        row<&P::walls, &WallParams::minimumHeight_m>("walls.minimumHeight", "m", 0.1, 10, "Lower walls are dropped.", "D3.6, 6.2 (dimension threshold); value: practice, a parapet stays"),
+        row<&P::walls, &WallParams::mergeGap_m>("walls.mergeGap", "m", 0, 5, "Largest gap between collinear pieces of one wall.", "D3.6, 3.4.4 and 6.2 (merging); value: practice"),
+        row<&P::walls, &WallParams::mergeOffset_m>("walls.mergeOffset", "m", 0, 0.5, "Largest sideways offset between collinear pieces of one wall.", "D3.6, 3.4.4 and 6.2 (merging); value: practice"),
+        row<&P::walls, &WallParams::closeGap_m>("walls.closeGap", "m", 0, 5, "Largest gap that is closed at a corner.", "D3.6, 3.4.4 and 6.2 (closing); value: practice"),
+
+        row<&P::openings, &OpeningParams::searchMargin_m>("openings.searchMargin", "m", 0, 1, "Door points are looked for this far around the wall's box first.", "D3.6, 3.5; value: practice, the depth of a lining"),
+        row<&P::openings, &OpeningParams::clusterRadius_m>("openings.clusterRadius", "m", 0.01, 1, "DBSCAN radius of door instances.", "D3.6, 3.5; value: practice"),
+        row<&P::openings, &OpeningParams::minimumDoorWidth_m>("openings.minimumDoorWidth", "m", 0.2, 5, "Narrower openings are no doors.", "practice: below the narrowest common leaf"),
+        row<&P::openings, &OpeningParams::maximumDoorWidth_m>("openings.maximumDoorWidth", "m", 0.5, 20, "Wider openings are no doors.", "practice: above a double garage door's leaf pair"),
+        row<&P::openings, &OpeningParams::minimumDoorHeight_m>("openings.minimumDoorHeight", "m", 0.5, 5, "Lower openings are no doors.", "practice: below the lowest common door"),
+        row<&P::openings, &OpeningParams::minimumWindowWidth_m>("openings.minimumWindowWidth", "m", 0.05, 5, "Narrower openings are no windows.", "practice"),
+        row<&P::openings, &OpeningParams::minimumWindowHeight_m>("openings.minimumWindowHeight", "m", 0.05, 5, "Lower openings are no windows.", "practice"),
+
+        row<&P::columns, &ColumnParams::clusterRadius_m>("columns.clusterRadius", "m", 0.01, 1, "DBSCAN radius of column instances.", "D3.6, 3.6; value: practice, below the distance of two columns"),
+        row<&P::columns, &ColumnParams::clusterMinimumCells>("columns.clusterMinimumCells", "1", 1, 100000, "Smaller clusters are artefacts.", "D3.6, 3.6 (100 to 5000 points), made a number of surface cells; value: practice"),
+        row<&P::columns, &ColumnParams::sliceMargin_m>("columns.sliceMargin", "m", 0, 2, "Cut off above the floor and below the ceiling before the section is fitted.", "D3.6, 3.6; value: practice"),
+        row<&P::columns, &ColumnParams::minimumSize_m>("columns.minimumSize", "m", 0.02, 2, "Smallest side or diameter of a column.", "practice: a slender steel post"),
+        row<&P::columns, &ColumnParams::maximumSize_m>("columns.maximumSize", "m", 0.1, 10, "Largest side or diameter of a column.", "practice"),
+        row<&P::columns, &ColumnParams::circleTolerance_m>("columns.circleTolerance", "m", 0.001, 0.2, "Largest RMS of a circle's fit to a round column.", "practice: several times a scanner's noise, below a square's 6 % of its side"),
+        row<&P::columns, &ColumnParams::circleTrials>("columns.circleTrials", "1", 1, 100000, "RANSAC trials of a circle.", "D3.6, 3.6; value: practice, with half of the points outliers all trials miss once in 4e11"),
+    };
+    return kTable;
+}
+
+}  // namespace s2b
