@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A building as CloudCompare's entities: a tree for the window, a list of meshes for the command line.
+#pragma once
+
+#include "core/model/building.h"
+
+#include <QString>
+#include <QVariantMap>
+
+#include <memory>
+#include <vector>
+
+class ccHObject;
+class ccMesh;
+class ccShiftedObject;
+
+namespace s2b
+{
+	enum class ElementClass
+	{
+		Wall,
+		Door,
+		Window,
+		Opening,
+		Column,
+		Slab,
+		Space
+	};
+
+	//! The solid of one element
+	struct NamedMesh
+	{
+		ElementId               id;
+		ElementId               storey;
+		ElementClass            kind = ElementClass::Wall;
+		QString                 name; //!< "Wall 12"
+		std::unique_ptr<ccMesh> mesh;
+	};
+
+	//! The key under which an element's entity keeps its id, and the group the building itself
+	inline constexpr char kIdKey[]       = "S2B.Id";
+	inline constexpr char kBuildingKey[] = "S2B.Building";
+
+	//! One coloured mesh per element that has a body, in storey order
+	/** \param reference gives the global shift and scale, so that the meshes lie over the cloud **/
+	std::vector<NamedMesh> makeMeshes(const Building& building, const ccShiftedObject& reference);
+
+	//! The tree storey > class > element, with level planes, wall axes and every element's dimensions as meta data
+	/** The caller owns it until it is in the DB tree. **/
+	std::unique_ptr<ccHObject> makeTree(const Building& building, const ccShiftedObject& reference, const QString& name);
+
+	//! Dimensions and evidence of every element, as CloudCompare's Properties panel shows them
+	QVariantMap properties(const Building& building, ElementId id);
+} // namespace s2b

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The options of -S2B: one table that parses, checks and documents them.
+#pragma once
+
+#include "core/labels/label.h"
+#include "core/pipeline/pipeline.h"
+
+#include <QString>
+#include <QStringList>
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace s2b
+{
+	//! Everything that one -S2B run was asked for, checked
+	struct CommandOptions
+	{
+		PipelineOptions pipeline;
+		QString         labelField; //!< empty: the usual names are looked for
+		LabelMap        labelMap;
+		QString         ifcPath; //!< empty: <cloud>.ifc beside the cloud
+		QString         schema  = "IFC4";
+		unsigned        threads = 0; //!< 0: all
+		std::uint64_t   seed    = 1;
+	};
+
+	//! One row of the table
+	struct CommandOption
+	{
+		const char*                                          name;       //!< without the dash
+		const char*                                          value;      //!< what follows it, empty for a switch
+		bool                                                 repeatable; //!< may be given several times
+		const char*                                          help;       //!< one sentence
+		std::function<void(CommandOptions&, const QString&)> apply;      //!< throws Error on a value that can't be used
+	};
+
+	//! The table, in the order of the documentation
+	const std::vector<CommandOption>& commandOptions();
+
+	//! Takes our options off the front of the arguments, and checks all of them before anything runs.
+	/** Stops at the first argument that is a command of CloudCompare's own.
+	    \param arguments what follows -S2B on the command line
+	    \param isOtherCommand says whether a keyword (without its dash) is another command that CloudCompare knows
+	    \throws Error in one sentence that names the option and what to do
+	**/
+	CommandOptions parseCommandOptions(QStringList& arguments, const std::function<bool(const QString&)>& isOtherCommand);
+} // namespace s2b

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+#include <ccStdPluginInterface.h>
+
+class QAction;
+
+//! Plugins > Scan to BIM, and -S2B on the command line
+class qScanToBim : public QObject
+    , public ccStdPluginInterface
+{
+	Q_OBJECT
+	Q_INTERFACES(ccPluginInterface ccStdPluginInterface)
+	Q_PLUGIN_METADATA(IID "cccorp.cloudcompare.plugin.qScanToBim" FILE "../info.json")
+
+  public:
+	explicit qScanToBim(QObject* parent = nullptr);
+	~qScanToBim() override = default;
+
+	// inherited from ccStdPluginInterface
+	void            onNewSelection(const ccHObject::Container& selectedEntities) override;
+	QList<QAction*> getActions() override;
+	void            registerCommands(ccCommandLineInterface* cmd) override;
+
+  private:
+	QAction* m_reconstruct = nullptr;
+	QAction* m_exportIfc   = nullptr;
+};

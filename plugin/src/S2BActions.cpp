@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "S2BActions.h"
+
+#include "S2BBuildingText.h"
+#include "S2BEntities.h"
+#include "S2BInput.h"
+#include "S2BReconstructDlg.h"
+#include "S2BRun.h"
+#include "S2BSummary.h"
+#include "S2BWorker.h"
+#include "core/base/error.h"
+
+#include <QApplication>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QMessageBox>
+#include <QSettings>
+
+#include <algorithm>
+#include <set>
+
+#include <ccMainAppInterface.h>
+#include <ccPointCloud.h>
+
+namespace s2b
+{
+	namespace
+	{
+		constexpr int kMaxDiagnostics = 50;
+
+		void print(ccMainAppInterface& app, const QString& text, ccMainAppInterface::ConsoleMessageLevel level = ccMainAppInterface::STD_CONSOLE_MESSAGE)
+		{
+			app.dispToConsole("[S2B] " + text, level);
+		}
+
+		void complain(ccMainAppInterface& app, const QString& text)
+		{
+			print(app, text, ccMainAppInterface::WRN_CONSOLE_MESSAGE);
+			QMessageBox box(QMessageBox::Warning, "Scan to BIM", text, QMessageBox::Ok, app.getMainWindow());
+			box.setObjectName("S2BMessage");
+			box.exec();
+		}
+
+		void printResult(ccMainAppInterface& app, const Building& building)
+		{
+			for (const QString& line : summary(building))
+				print(app, line);
+			int shown = 0;
+			for (const Diagnostic& diagnostic : building.diagnostics)
+			{
+				if (++shown > kMaxDiagnostics)
+					break;
+				print(app, diagnosticText(building, diagnostic), diagnostic.severity == Severity::Info ? ccMainAppInterface::STD_CONSOLE_MESSAGE : ccMainAppInterface::WRN_CONSOLE_MESSAGE);
+			}
+			if (building.diagnostics.size() > kMaxDiagnostics)
+				print(app, QString("... and %1 more").arg(building.diagnostics.size() - kMaxDiagnostics));
+		}
+
+		void addToTree(ccMainAppInterface& app, const Building& building, const ccPointCloud& cloud, ccHObject* display)
+		{
+			std::unique_ptr<ccHObject> tree = makeTree(building, cloud, cloud.getName() + " [BIM]");
+			if (display)
+				tree->setDisplay_recursive(display->getDisplay());
+			app.addToDB(tree.release(), false, true, false, true);
+		}
+
+		std::set<std::uint32_t> idsIn(const ccHObject& tree)
+		{
+			std::set<std::uint32_t> ids;
+			ccHObject::Container    all;
+			tree.filterChildren(all, true);
+			for (const ccHObject* entity : all)
+			{
+				if (entity->hasMetaData(kIdKey))
+					ids.insert(entity->getMetaData(kIdKey).toUInt());
+			}
+			return ids;
+		}
+
+		template <typename Element>
+		void keepOnly(std::vector<Element>& elements, const std::set<std::uint32_t>& ids)
+		{
+			std::erase_if(elements, [&](const Element& element)
+			              { return !ids.count(element.id.value); });
+		}
+
+		// Whatever the user deleted from the tree goes, and with a wall its openings.
+		void dropDeleted(Building& building, const ccHObject& tree)
+		{
+			const std::set<std::uint32_t> ids = idsIn(tree);
+			keepOnly(building.walls, ids);
+			keepOnly(building.openings, ids);
+			keepOnly(building.columns, ids);
+			keepOnly(building.slabs, ids);
+			keepOnly(building.spaces, ids);
+			std::erase_if(building.openings, [&](const Opening& opening)
+			              { return !building.wall(opening.host); });
+			std::erase_if(building.junctions, [&](const Junction& junction)
+			              { return !building.wall(junction.wallA) || !building.wall(junction.wallB); });
+			for (Space& space : building.spaces)
+			{
+				std::erase_if(space.boundedBy, [&](ElementId id)
+				              { return !building.wall(id); });
+			}
+		}
+	} // namespace
+
+	std::vector<ccPointCloud*> cloudsOf(const ccHObject::Container& selection)
+	{
+		std::vector<ccPointCloud*> clouds;
+		for (ccHObject* entity : selection)
+		{
+			if (!entity || !entity->isA(CC_TYPES::POINT_CLOUD))
+				return {};
+			clouds.push_back(static_cast<ccPointCloud*>(entity));
+		}
+		return clouds;
+	}
+
+	ccHObject* modelOf(const ccHObject::Container& selection)
+	{
+		if (selection.size() != 1)
+			return nullptr;
+		for (ccHObject* entity = selection.front(); entity; entity = entity->getParent())
+		{
+			if (entity->hasMetaData(kBuildingKey))
+				return entity;
+		}
+		return nullptr;
+	}
+
+	void reconstructSelection(ccMainAppInterface& app)
+	{
+		const std::vector<ccPointCloud*> clouds = cloudsOf(app.getSelectedEntities());
+		if (clouds.empty())
+			return;
+		try
+		{
+			S2BReconstructDlg dialog({clouds.begin(), clouds.end()}, app.getMainWindow());
+			if (dialog.exec() != QDialog::Accepted)
+				return;
+			const RunChoice choice = dialog.choice();
+
+			QApplication::setOverrideCursor(Qt::WaitCursor);
+			Input input;
+			try
+			{
+				input = makeInput({clouds.begin(), clouds.end()}, choice.labels);
+			}
+			catch (...)
+			{
+				QApplication::restoreOverrideCursor();
+				throw;
+			}
+			QApplication::restoreOverrideCursor();
+			if (!input.warning.isEmpty())
+				print(app, input.warning, ccMainAppInterface::WRN_CONSOLE_MESSAGE);
+			if (!input.labelField.isEmpty())
+				print(app, labelSummary(input, QString::fromStdString(choice.labels.map.name)));
+
+			const std::optional<Building> building = reconstructInBackground(input, choice, clouds.front()->getName(), app);
+			if (!building)
+			{
+				print(app, "cancelled, nothing was changed");
+				return;
+			}
+			printResult(app, *building);
+			if (!choice.ifcPath.isEmpty())
+				print(app, "wrote " + choice.ifcPath);
+			addToTree(app, *building, *clouds.front(), clouds.front());
+			app.redrawAll();
+		}
+		catch (const std::bad_alloc&)
+		{
+			complain(app, "Not enough memory: subsample the cloud first.");
+		}
+		catch (const std::exception& e)
+		{
+			complain(app, QString::fromUtf8(e.what()));
+		}
+	}
+
+	void exportSelection(ccMainAppInterface& app)
+	{
+		const ccHObject* model = modelOf(app.getSelectedEntities());
+		if (!model)
+			return;
+		try
+		{
+			Building building = parseBuilding(model->getMetaData(kBuildingKey).toMap().value("text").toString());
+			dropDeleted(building, *model);
+
+			QSettings settings;
+			settings.beginGroup("qScanToBim");
+			const QString folder = settings.value("folder").toString();
+			const QString name   = model->getName().remove(" [BIM]") + ".ifc";
+			QFileDialog   dialog(app.getMainWindow(), "Export IFC", folder, "IFC4 (*.ifc);;IFC4X3_ADD2 (*.ifc)");
+			dialog.setObjectName("S2BExportDialog");
+			dialog.setOption(QFileDialog::DontUseNativeDialog, qEnvironmentVariableIsSet("S2B_PLAIN_DIALOGS"));
+			dialog.setAcceptMode(QFileDialog::AcceptSave);
+			dialog.setDefaultSuffix("ifc");
+			dialog.selectFile(name);
+			if (dialog.exec() != QDialog::Accepted)
+				return;
+			const QString path = dialog.selectedFiles().front();
+			settings.setValue("folder", QFileInfo(path).absolutePath());
+
+			ifc::WriteOptions options;
+			options.schema      = dialog.selectedNameFilter().section(' ', 0, 0).toStdString();
+			options.projectName = QFileInfo(path).completeBaseName().toStdString();
+			writeModel(building, path, options);
+			print(app, "wrote " + path);
+		}
+		catch (const std::exception& e)
+		{
+			complain(app, QString::fromUtf8(e.what()));
+		}
+	}
+} // namespace s2b

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "S2BInput.h"
+
+#include "core/base/error.h"
+
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+
+#include <ccPointCloud.h>
+#include <ccScalarField.h>
+
+namespace s2b
+{
+	namespace
+	{
+		static_assert(sizeof(CCVector3) == 3 * sizeof(float), "CloudCompare's points are read in place as three floats");
+
+		constexpr double kCoarse_m = 1.0e5; // beyond it neighbouring floats are 8 mm apart: more than a wall's tolerance
+		constexpr int    kNoCode   = -1;
+
+		[[noreturn]] void fail(ErrorCode code, const QString& sentence)
+		{
+			throw Error(code, sentence.toStdString());
+		}
+
+		// ccPointCloud offers its fields by number and name.
+		const ccScalarField* findField(const ccPointCloud& cloud, const QString& name)
+		{
+			for (unsigned i = 0; i < cloud.getNumberOfScalarFields(); ++i)
+			{
+				if (name.compare(cloud.getScalarFieldName(static_cast<int>(i)), Qt::CaseInsensitive) == 0)
+					return static_cast<const ccScalarField*>(cloud.getScalarField(static_cast<int>(i)));
+			}
+			return nullptr;
+		}
+
+		QString fieldNames(const ccPointCloud& cloud)
+		{
+			QStringList names;
+			for (unsigned i = 0; i < cloud.getNumberOfScalarFields(); ++i)
+				names << cloud.getScalarFieldName(static_cast<int>(i));
+			return names.isEmpty() ? QString("it has no scalar field") : "it has: " + names.join(", ");
+		}
+
+		void checkPrecision(const ccPointCloud& cloud)
+		{
+			double largest = 0;
+			for (unsigned i = 0; i < cloud.size(); ++i)
+			{
+				const CCVector3* p = cloud.getPoint(i);
+				const double     m = std::max({std::abs(p->x), std::abs(p->y), std::abs(p->z)});
+				if (!std::isfinite(p->x) || !std::isfinite(p->y) || !std::isfinite(p->z))
+				{
+					fail(ErrorCode::BadCoordinates, QString("point %1 of the cloud '%2' has a coordinate that is not a number: remove such points first").arg(i + 1).arg(cloud.getName()));
+				}
+				largest = std::max(largest, m);
+			}
+			largest /= cloud.getGlobalScale();
+			if (largest < kCoarse_m)
+				return;
+			const double spacing = std::exp2(std::floor(std::log2(largest)) - 23);
+			fail(ErrorCode::BadCoordinates,
+			     QString("the coordinates of the cloud '%1' reach %2 m and are kept in steps of %3 m only: open it with -O -GLOBAL_SHIFT AUTO FILE, or accept the global shift in CloudCompare's window")
+			         .arg(cloud.getName())
+			         .arg(largest, 0, 'f', 0)
+			         .arg(spacing, 0, 'g', 2));
+		}
+
+		// Codes of the built-in maps and of LAS are small: a table instead of a search for each of millions of points.
+		class CodeTable
+		{
+		  public:
+			explicit CodeTable(const LabelMap& map)
+			{
+				for (const auto& [code, label] : map.classOfCode)
+				{
+					if (code >= 0 && code < static_cast<int>(m_label.size()))
+						m_label[static_cast<std::size_t>(code)] = static_cast<int>(label);
+				}
+				m_map = &map;
+			}
+			int find(int code) const
+			{
+				if (code >= 0 && code < static_cast<int>(m_label.size()))
+					return m_label[static_cast<std::size_t>(code)];
+				const auto it = m_map->classOfCode.find(code);
+				return it == m_map->classOfCode.end() ? kNoCode : static_cast<int>(it->second);
+			}
+
+		  private:
+			const LabelMap*      m_map = nullptr;
+			std::array<int, 256> m_label = []
+			{
+				std::array<int, 256> none{};
+				none.fill(kNoCode);
+				return none;
+			}();
+		};
+
+		void readLabels(const ccPointCloud& cloud, const ccScalarField& field, const LabelMap& map, Input& input)
+		{
+			const CodeTable            table(map);
+			const double               shift = field.getGlobalShift();
+			std::map<int, std::size_t> unknown;
+			for (unsigned i = 0; i < cloud.size(); ++i)
+			{
+				const ScalarType value = field.getValue(i);
+				int              label = static_cast<int>(Label::Unassigned);
+				if (CCCoreLib::ScalarField::ValidValue(value)) // CloudCompare's NaN says "no value here"
+				{
+					const double code = static_cast<double>(value) + shift;
+					if (code != std::floor(code) || std::abs(code) > 1.0e9)
+					{
+						fail(ErrorCode::BadLabels, QString("the field '%1' of the cloud '%2' is not made of class codes, point %3 has %4: choose another field with -LABELS, or use -GEOMETRY_ONLY").arg(field.getName(), cloud.getName()).arg(i + 1).arg(code));
+					}
+					label = table.find(static_cast<int>(code));
+					if (label == kNoCode)
+					{
+						++unknown[static_cast<int>(code)];
+						label = static_cast<int>(Label::Unassigned);
+					}
+				}
+				input.ownLabels.push_back(static_cast<std::uint8_t>(label));
+				++input.labelCounts[static_cast<std::size_t>(label)];
+			}
+			if (unknown.empty())
+				return;
+			QStringList codes;
+			for (const auto& [code, count] : unknown)
+			{
+				if (codes.size() == 12)
+				{
+					codes << "...";
+					break;
+				}
+				codes << QString("%1 (%2 points)").arg(code).arg(count);
+			}
+			fail(ErrorCode::BadLabels, QString("the label map '%1' has no class for code %2 of the field '%3' in the cloud '%4': choose another map with -LABEL_MAP (s2b, s3dis, scannet, asprs or a TOML file), or use -GEOMETRY_ONLY").arg(QString::fromStdString(map.name), codes.join(", "), field.getName(), cloud.getName()));
+		}
+
+		void readAllLabels(const std::vector<const ccPointCloud*>& clouds, const LabelChoice& choice, Input& input)
+		{
+			std::vector<const ccScalarField*> fields;
+			for (const ccPointCloud* cloud : clouds)
+			{
+				const QString name = choice.field.isEmpty() ? defaultLabelField(*cloud) : choice.field;
+				fields.push_back(name.isEmpty() ? nullptr : findField(*cloud, name));
+				if (!fields.back() && !choice.field.isEmpty())
+				{
+					fail(ErrorCode::BadLabels, QString("the cloud '%1' has no scalar field '%2' for -LABELS, %3").arg(cloud->getName(), choice.field, fieldNames(*cloud)));
+				}
+				if (!fields.back())
+				{
+					input.warning = QString("the cloud '%1' has no labels (no scalar field Classification or label, %2): working from the geometry alone").arg(cloud->getName(), fieldNames(*cloud));
+					return;
+				}
+			}
+			input.ownLabels.reserve(input.view.count);
+			for (std::size_t i = 0; i < clouds.size(); ++i)
+				readLabels(*clouds[i], *fields[i], choice.map, input);
+			if (input.labelCounts[static_cast<std::size_t>(Label::Unassigned)] == input.view.count)
+			{
+				input.warning = QString("the field '%1' leaves every point unassigned: working from the geometry alone").arg(fields.front()->getName());
+				input.ownLabels.clear();
+				input.ownLabels.shrink_to_fit();
+				return;
+			}
+			input.labelField  = fields.front()->getName();
+			input.view.labels = input.ownLabels.data();
+		}
+
+		// One cloud as it is: a view. Several, or a scaled one: a copy about the first one's origin.
+		void viewPoints(const std::vector<const ccPointCloud*>& clouds, Input& input)
+		{
+			const ccPointCloud& first  = *clouds.front();
+			const CCVector3d    origin = -1.0 * first.getGlobalShift(); // global = local / scale - shift
+			input.view.origin          = {origin.x, origin.y, origin.z};
+			if (clouds.size() == 1 && first.getGlobalScale() == 1.0)
+			{
+				input.view.xyz = first.getPoint(0)->u;
+				return;
+			}
+			input.ownPoints.reserve(3 * input.view.count);
+			for (const ccPointCloud* cloud : clouds)
+			{
+				for (unsigned i = 0; i < cloud->size(); ++i)
+				{
+					const CCVector3d p = cloud->toGlobal3d(*cloud->getPoint(i)) - origin;
+					for (const double c : p.u)
+					{
+						if (std::abs(c) >= kCoarse_m)
+							fail(ErrorCode::BadCoordinates, QString("the clouds '%1' and '%2' are more than 100 km apart and can't be one building: reconstruct them one by one").arg(first.getName(), cloud->getName()));
+						input.ownPoints.push_back(static_cast<float>(c));
+					}
+				}
+			}
+			input.view.xyz = input.ownPoints.data();
+		}
+	} // namespace
+
+	QString defaultLabelField(const ccPointCloud& cloud)
+	{
+		for (const char* name : {"Classification", "label"})
+		{
+			if (const ccScalarField* field = findField(cloud, name))
+				return field->getName();
+		}
+		return {};
+	}
+
+	std::map<int, std::size_t> countCodes(const ccPointCloud& cloud, const QString& field, bool& hasFractions)
+	{
+		constexpr std::size_t      kTooMany = 1000; // more codes than that are no classes
+		std::map<int, std::size_t> counts;
+		hasFractions = false;
+		if (const ccScalarField* values = findField(cloud, field))
+		{
+			int          last      = 0;
+			std::size_t* lastCount = nullptr; // neighbours often share their class
+			for (const ScalarType value : *values)
+			{
+				const double code = static_cast<double>(value) + values->getGlobalShift();
+				if (!(std::abs(code) < 1.0e9))
+					continue;
+				const int whole = static_cast<int>(std::floor(code));
+				hasFractions    = hasFractions || code != whole;
+				if (!lastCount || whole != last)
+				{
+					if (hasFractions || counts.size() > kTooMany)
+						break;
+					last      = whole;
+					lastCount = &counts[whole];
+				}
+				++*lastCount;
+			}
+			hasFractions = hasFractions || counts.size() > kTooMany;
+		}
+		return counts;
+	}
+
+	Input makeInput(const std::vector<const ccPointCloud*>& clouds, const LabelChoice& labels)
+	{
+		Input input;
+		if (clouds.empty())
+			fail(ErrorCode::EmptyCloud, "there is no point cloud: open one first");
+		for (const ccPointCloud* cloud : clouds)
+		{
+			if (cloud->size() == 0)
+				fail(ErrorCode::EmptyCloud, QString("the cloud '%1' has no points").arg(cloud->getName()));
+			checkPrecision(*cloud);
+			input.view.count += cloud->size();
+		}
+		viewPoints(clouds, input);
+		if (labels.use)
+			readAllLabels(clouds, labels, input);
+		return input;
+	}
+} // namespace s2b

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "S2BOptions.h"
+
+#include "core/base/error.h"
+#include "core/base/nearest_name.h"
+
+#include <QFile>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <string_view>
+
+namespace s2b
+{
+	namespace
+	{
+		constexpr unsigned kMaxThreads = 1024;
+
+		[[noreturn]] void fail(const QString& sentence, ErrorCode code = ErrorCode::BadParameter)
+		{
+			throw Error(code, sentence.toStdString());
+		}
+
+		std::uint64_t wholeNumber(const char* option, const QString& text, std::uint64_t minimum, std::uint64_t maximum)
+		{
+			bool                ok     = false;
+			const std::uint64_t number = text.toULongLong(&ok);
+			if (!ok || number < minimum || number > maximum)
+				fail(QString("-%1 takes a whole number from %2 to %3, not '%4'").arg(option).arg(minimum).arg(maximum).arg(text));
+			return number;
+		}
+
+		QString schemaName(const QString& text)
+		{
+			static const QStringList kKnown{"IFC4", "IFC4X3_ADD2"};
+			const QString            name = text.toUpper();
+			if (!kKnown.contains(name))
+				fail(QString("-SCHEMA '%1' is not supported: use %2").arg(text, kKnown.join(" or ")));
+			return name;
+		}
+
+		// Found out before minutes of work, not after them.
+		QString writableIfcPath(const QString& text)
+		{
+			const QFileInfo file(text);
+			const QFileInfo folder(file.absolutePath());
+			if (file.isDir())
+				fail(QString("-IFC '%1' is a folder: give the name of a file").arg(text), ErrorCode::CannotWrite);
+			if (!folder.isDir())
+				fail(QString("-IFC '%1' can't be written: the folder '%2' does not exist").arg(text, folder.filePath()), ErrorCode::CannotWrite);
+			if (!folder.isWritable() || (file.exists() && !file.isWritable()))
+				fail(QString("-IFC '%1' can't be written: no permission for it, choose another place").arg(text), ErrorCode::CannotWrite);
+			return file.absoluteFilePath();
+		}
+
+		std::string localPath(const QString& path)
+		{
+			return QFile::encodeName(path).toStdString();
+		}
+	} // namespace
+
+	const std::vector<CommandOption>& commandOptions()
+	{
+		static const std::vector<CommandOption> kTable{
+		    {"LABELS", "NAME", false, "scalar field with a class code per point (default: Classification or label if there)", [](CommandOptions& o, const QString& v)
+		     { o.labelField = v; }},
+		    {"LABEL_MAP", "NAME|FILE", false, "which code means what: s2b (default), s3dis, scannet, asprs, or a TOML file", [](CommandOptions& o, const QString& v)
+		     { o.labelMap = loadLabelMap(localPath(v)); }},
+		    {"GEOMETRY_ONLY", "", false, "use no labels", [](CommandOptions& o, const QString&)
+		     { o.pipeline.geometryOnly = true; }},
+		    {"STAGES", "LIST", false, "levels,walls,doors,windows,openings,columns,slabs,spaces (default: all)", [](CommandOptions& o, const QString& v)
+		     { o.pipeline.stages = parseStages(v.toStdString()); }},
+		    {"CONFIG", "FILE", false, "parameters from a TOML file", [](CommandOptions& o, const QString& v)
+		     { loadConfig(o.pipeline.parameters, localPath(v)); }},
+		    {"SET", "name=value", true, "one parameter, after those of -CONFIG", [](CommandOptions& o, const QString& v)
+		     { setParameter(o.pipeline.parameters, v.toStdString()); }},
+		    {"IFC", "FILE", false, "the file to write (default: <cloud>.ifc beside the cloud)", [](CommandOptions& o, const QString& v)
+		     { o.ifcPath = writableIfcPath(v); }},
+		    {"SCHEMA", "NAME", false, "IFC4 (default) or IFC4X3_ADD2", [](CommandOptions& o, const QString& v)
+		     { o.schema = schemaName(v); }},
+		    {"THREADS", "N", false, "worker threads (default: all); the result does not depend on it", [](CommandOptions& o, const QString& v)
+		     { o.threads = static_cast<unsigned>(wholeNumber("THREADS", v, 1, kMaxThreads)); }},
+		    {"SEED", "N", false, "of the random draws (default: 1)", [](CommandOptions& o, const QString& v)
+		     { o.seed = wholeNumber("SEED", v, 0, 0xFFFFFFFFu); }},
+		};
+		return kTable;
+	}
+
+	CommandOptions parseCommandOptions(QStringList& arguments, const std::function<bool(const QString&)>& isOtherCommand)
+	{
+		CommandOptions options;
+		options.labelMap = builtInLabelMap("s2b");
+
+		std::vector<std::string_view> names;
+		for (const CommandOption& option : commandOptions())
+			names.emplace_back(option.name);
+
+		// Gathered first, applied after: -SET wins over -CONFIG wherever it stands.
+		std::vector<std::pair<const CommandOption*, QString>> given;
+		while (!arguments.isEmpty())
+		{
+			const QString argument = arguments.front();
+			const QString keyword  = argument.startsWith('-') ? argument.mid(1) : QString();
+			const auto    row      = std::find_if(commandOptions().begin(), commandOptions().end(), [&](const CommandOption& option)
+                                          { return keyword.compare(option.name, Qt::CaseInsensitive) == 0; });
+			if (row == commandOptions().end())
+			{
+				if (!keyword.isEmpty() && isOtherCommand(keyword.toUpper()))
+					break;
+				const auto near = nearestName(keyword.toStdString(), names);
+				fail(QString("'%1' is not an option of -S2B, the nearest is -%2 (all: %3)").arg(argument, QString::fromStdString(std::string(near)), QString::fromStdString(joinNames(names))));
+			}
+			arguments.pop_front();
+
+			QString value;
+			if (*row->value)
+			{
+				if (arguments.isEmpty() || arguments.front().startsWith('-'))
+					fail(QString("-%1 needs a value: -%1 %2").arg(row->name, row->value));
+				value = arguments.takeFirst();
+			}
+			const bool again = std::any_of(given.begin(), given.end(), [&](const auto& other)
+			                               { return other.first == &*row; });
+			if (again && !row->repeatable)
+				fail(QString("-%1 is given twice: give it once").arg(row->name));
+			given.emplace_back(&*row, value);
+		}
+		std::stable_sort(given.begin(), given.end(), [](const auto& a, const auto& b)
+		                 { return a.first < b.first; });
+		for (const auto& [option, value] : given)
+			option->apply(options, value);
+
+		if (options.pipeline.geometryOnly && !options.labelField.isEmpty())
+			fail("-GEOMETRY_ONLY and -LABELS contradict each other: give one of them");
+		return options;
+	}
+} // namespace s2b

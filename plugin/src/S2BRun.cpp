@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "S2BRun.h"
+
+#include <QDateTime>
+#include <QFile>
+
+namespace s2b
+{
+	ifc::WriteOptions writeOptions(const PipelineOptions& run, std::uint64_t seed, const QString& projectName, const QString& schema)
+	{
+		ifc::WriteOptions options;
+		options.schema      = schema.toStdString();
+		options.projectName = projectName.toStdString();
+
+		bool            isSet = false;
+		const qlonglong epoch = qEnvironmentVariable("SOURCE_DATE_EPOCH").toLongLong(&isSet);
+		if (isSet)
+			options.timestamp = QDateTime::fromSecsSinceEpoch(epoch, Qt::UTC).toString("yyyy-MM-ddTHH:mm:ss").toStdString();
+
+		for (const ParameterInfo& info : parameterTable())
+			options.parameters.emplace_back(info.name, QString::number(info.value(run.parameters), 'g', 12).toStdString());
+		options.parameters.emplace_back("seed", std::to_string(seed));
+		options.parameters.emplace_back("geometryOnly", run.geometryOnly ? "1" : "0");
+		return options;
+	}
+
+	void writeModel(const Building& building, const QString& path, const ifc::WriteOptions& options)
+	{
+		ifc::writeIfc(building, QFile::encodeName(path).toStdString(), options);
+	}
+} // namespace s2b

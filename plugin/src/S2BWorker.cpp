@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "S2BWorker.h"
+
+#include "S2BInput.h"
+#include "S2BReconstructDlg.h"
+#include "S2BRun.h"
+#include "core/base/error.h"
+
+#include <QEventLoop>
+#include <QFutureWatcher>
+#include <QMainWindow>
+#include <QtConcurrent>
+
+#include <exception>
+#include <stop_token>
+
+#include <ccMainAppInterface.h>
+#include <ccProgressDialog.h>
+
+namespace s2b
+{
+	std::optional<Building> reconstructInBackground(const Input& input, const RunChoice& choice, const QString& projectName, ccMainAppInterface& app)
+	{
+		ccProgressDialog progress(true, app.getMainWindow());
+		progress.setObjectName("S2BProgress");
+		progress.setMethodTitle(QString("Scan to BIM"));
+		progress.setInfo(QString("Starting"));
+		progress.setWindowModality(Qt::ApplicationModal);
+		progress.setAutoClose(false);
+		progress.setAutoReset(false);
+		progress.setMinimumDuration(0);
+
+		std::stop_source stop;
+		QObject::connect(&progress, &QProgressDialog::canceled, &progress, [&]
+		                 {
+			                 stop.request_stop();
+			                 progress.setLabelText("Cancelling"); });
+
+		// What the worker says is queued to the window's thread, which alone touches widgets.
+		Context context;
+		context.cancel   = stop.get_token();
+		context.threads  = choice.threads;
+		context.seed     = choice.seed;
+		context.progress = [&progress](std::string_view text, double fraction)
+		{
+			const QString line    = QString::fromUtf8(text.data(), static_cast<int>(text.size()));
+			const int     percent = static_cast<int>(100.0 * fraction);
+			QMetaObject::invokeMethod(
+			    &progress, [&progress, line, percent]
+			    {
+				    if (progress.wasCanceled())
+					    return;
+				    progress.setLabelText(line);
+				    progress.setValue(percent); },
+			    Qt::QueuedConnection);
+		};
+		context.log = [&progress, &app](LogLevel level, std::string_view text)
+		{
+			const QString line = "[S2B] " + QString::fromUtf8(text.data(), static_cast<int>(text.size()));
+			QMetaObject::invokeMethod(
+			    &progress, [&app, line, level]
+			    { app.dispToConsole(line, level == LogLevel::Info ? ccMainAppInterface::STD_CONSOLE_MESSAGE : ccMainAppInterface::WRN_CONSOLE_MESSAGE); },
+			    Qt::QueuedConnection);
+		};
+
+		std::optional<Building> building;
+		std::exception_ptr      failure;
+		const auto              work = [&]
+		{
+			try
+			{
+				Building result = reconstruct(input.view, choice.pipeline, context);
+				context.report("Writing the IFC file", 1.0);
+				if (!choice.ifcPath.isEmpty())
+					writeModel(result, choice.ifcPath, writeOptions(choice.pipeline, choice.seed, projectName, choice.schema));
+				building = std::move(result);
+			}
+			catch (const Cancelled&)
+			{
+			}
+			catch (...)
+			{
+				failure = std::current_exception();
+			}
+		};
+
+		QEventLoop           loop;
+		QFutureWatcher<void> watcher;
+		QObject::connect(&watcher, &QFutureWatcher<void>::finished, &loop, &QEventLoop::quit);
+		progress.show();
+		watcher.setFuture(QtConcurrent::run(work));
+		loop.exec();
+		progress.close();
+
+		if (failure)
+			std::rethrow_exception(failure);
+		return building;
+	}
+} // namespace s2b

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "qScanToBim.h"
+
+#include "S2BActions.h"
+#include "S2BCommand.h"
+
+#include <QAction>
+
+qScanToBim::qScanToBim(QObject* parent)
+    : QObject(parent)
+    , ccStdPluginInterface(":/CC/plugin/qScanToBim/info.json")
+{
+}
+
+QList<QAction*> qScanToBim::getActions()
+{
+	if (!m_reconstruct)
+	{
+		m_reconstruct = new QAction(QIcon(":/CC/plugin/qScanToBim/images/reconstruct.png"), tr("Reconstruct..."), this);
+		m_reconstruct->setObjectName("S2B.Reconstruct");
+		m_reconstruct->setToolTip(tr("Reconstruct storeys, walls, openings, columns, slabs and spaces from the selected clouds"));
+		m_reconstruct->setEnabled(false);
+		connect(m_reconstruct, &QAction::triggered, this, [this]
+		        { s2b::reconstructSelection(*m_app); });
+
+		m_exportIfc = new QAction(QIcon(":/CC/plugin/qScanToBim/images/export_ifc.png"), tr("Export IFC..."), this);
+		m_exportIfc->setObjectName("S2B.ExportIfc");
+		m_exportIfc->setToolTip(tr("Write the selected model, without what was deleted from it, as an IFC file"));
+		m_exportIfc->setEnabled(false);
+		connect(m_exportIfc, &QAction::triggered, this, [this]
+		        { s2b::exportSelection(*m_app); });
+	}
+	return {m_reconstruct, m_exportIfc};
+}
+
+void qScanToBim::onNewSelection(const ccHObject::Container& selectedEntities)
+{
+	if (m_reconstruct)
+		m_reconstruct->setEnabled(!s2b::cloudsOf(selectedEntities).empty());
+	if (m_exportIfc)
+		m_exportIfc->setEnabled(s2b::modelOf(selectedEntities) != nullptr);
+}
+
+void qScanToBim::registerCommands(ccCommandLineInterface* cmd)
+{
+	if (cmd)
+		cmd->registerCommand(ccCommandLineInterface::Command::Shared(new S2BCommand));
+}
