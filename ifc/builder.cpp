@@ -149,7 +149,7 @@ Builder::Builder(const std::string& schema) : m_impl(std::make_unique<Implementa
 
 Builder::~Builder() = default;
 
-Instance Builder::add(std::string_view entity, std::initializer_list<Attribute> attributes)
+Instance Builder::add(std::string_view entity, std::span<const Attribute> attributes)
 {
     const EntityInfo& info = m_impl->info(entity);
     Instance instance = m_impl->schema->instantiate(info.entity, IfcEntityInstanceData(storage_t(info.entity->attribute_count())));

@@ -5,6 +5,7 @@
 
 #include <initializer_list>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -66,7 +67,11 @@ public:
     /// @throws Error{Internal} for an unknown entity or attribute, a missing one, NaN, an empty list where one item is
     ///         the least.
     /// Cost: about 2 us.
-    Instance add(std::string_view entity, std::initializer_list<Attribute> attributes);
+    Instance add(std::string_view entity, std::span<const Attribute> attributes);
+    Instance add(std::string_view entity, std::initializer_list<Attribute> attributes)
+    {
+        return add(entity, std::span<const Attribute>(attributes.begin(), attributes.size()));
+    }
 
     /// The whole file. Cost: about 1 us per instance.
     [[nodiscard]] std::string text(const Header& header) const;
