@@ -24,4 +24,15 @@ struct ColumnParams
     bool operator==(const ColumnParams&) const = default;
 };
 
+struct ColumnResult
+{
+    std::vector<Column> columns;
+    std::vector<Diagnostic> diagnostics;
+};
+
+/// Finds the columns of one storey from their labelled points (D3.6, 3.6): DBSCAN in plan of a slice between floor and
+/// ceiling, then a rectangle or a circle, whichever the points fit.
+[[nodiscard]] ColumnResult findColumns(const SurfaceCells& cells, const Level& level, ElementId storey, std::uint32_t& nextId,
+                                       const ColumnParams& params, const Context& context);
+
 }  // namespace s2b

@@ -3,6 +3,7 @@
 
 #include "core/base/context.h"
 #include "core/cloud/surface_cells.h"
+#include "core/levels/levels.h"
 #include "core/model/building.h"
 
 #include <vector>
@@ -22,5 +23,21 @@ struct OpeningParams
     double minimumWindowHeight_m = 0.30;
     bool operator==(const OpeningParams&) const = default;
 };
+
+struct OpeningResult
+{
+    std::vector<Opening> openings;
+    std::vector<Diagnostic> diagnostics;
+};
+
+/// Finds the doors or windows of one storey in its walls from their labelled points (D3.6, 3.5).
+///
+/// Two steps as in D3.6: points inside a wall's body say that it hosts one and give its outline (leaves stand open outside
+/// it, linings lie on the faces: neither is the hole); only then the points around the wall are looked at, for the leaf.
+/// @param walls  of this storey
+/// @param kind   Door or Window
+[[nodiscard]] OpeningResult findOpenings(const SurfaceCells& cells, const Level& level, const std::vector<Wall>& walls,
+                                         OpeningKind kind, std::uint32_t& nextId, const OpeningParams& params,
+                                         const Context& context);
 
 }  // namespace s2b

@@ -31,4 +31,19 @@ struct WallParams
     bool operator==(const WallParams&) const = default;
 };
 
+struct WallResult
+{
+    std::vector<Wall> walls;
+    std::vector<Junction> junctions;
+    std::vector<Diagnostic> diagnostics;
+};
+
+/// Reconstructs the walls of one storey (D3.6, 3.4): axis sorting, instances, planes, parallel planes, boxes, topology.
+///
+/// @param cells   building frame
+/// @param storey  of the level, for the walls to refer to
+/// @param nextId  the next free ElementId value; advanced
+[[nodiscard]] WallResult findWalls(const SurfaceCells& cells, const Level& level, ElementId storey, std::uint32_t& nextId,
+                                   const WallParams& params, const Context& context);
+
 }  // namespace s2b

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/levels/levels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+
+namespace s2b
+{
+namespace
+{
+
+constexpr double kColumn_m = 0.10;   // edge of the plan columns in which floors meet their ceilings
+constexpr double kMergeZ_m = 0.06;   // surfaces closer than this in one column are one
+
+/// A horizontal (or, looking up, sloped) surface in one plan column.
+struct Surface
+{
+    std::int32_t x = 0, y = 0;
+    double z = 0;
+    bool isLevel = false;    ///< horizontal
+    bool maybeFloor = true;  ///< its label does not say otherwise
+    bool maybeCeiling = true;
+};
+
+/// Floor and ceiling above each other in one column.
+struct Pair
+{
+    double floor = 0, ceiling = 0;
+    bool ceilingLevel = false;
+};
+
+bool sameColumn(const Surface& a, const Surface& b) { return a.x == b.x && a.y == b.y; }
+
+std::vector<Surface> surfacesByColumn(const SurfaceCells& cells)
+{
+    std::vector<Surface> raw;
+    for (const SurfaceCell& c : cells.cells)
+    {
+        const double nz = std::abs(static_cast<double>(c.normal.z()));
+        if (nz < 0.35)
+            continue;
+        if (cells.hasLabels && (c.label == Label::Furniture || c.label == Label::Stair || c.label == Label::Door ||
+                                c.label == Label::Window || c.label == Label::Wall || c.label == Label::Column))
+            continue;
+        Surface s;
+        s.x = static_cast<std::int32_t>(std::floor(static_cast<double>(c.position.x()) / kColumn_m));
+        s.y = static_cast<std::int32_t>(std::floor(static_cast<double>(c.position.y()) / kColumn_m));
+        s.z = static_cast<double>(c.position.z());
+        s.isLevel = nz > 0.95;
+        if (cells.hasLabels)
+        {
+            s.maybeFloor = c.label == Label::Floor;
+            s.maybeCeiling = c.label == Label::Ceiling || c.label == Label::Roof || c.label == Label::Beam;
+        }
+        raw.push_back(s);
+    }
+    std::sort(raw.begin(), raw.end(),
+              [](const Surface& a, const Surface& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
+    std::vector<Surface> merged;
+    for (std::size_t i = 0; i < raw.size();)
+    {
+        Surface s = raw[i];
+        double sum = 0;
+        int n = 0, level = 0, floorVotes = 0, ceilingVotes = 0;
+        for (; i < raw.size() && sameColumn(raw[i], s) && raw[i].z - s.z < kMergeZ_m; ++i)
+        {
+            sum += raw[i].z, ++n;
+            level += raw[i].isLevel;
+            floorVotes += raw[i].maybeFloor;
+            ceilingVotes += raw[i].maybeCeiling;
+        }
+        s.z = sum / n;
+        s.isLevel = 2 * level > n;
+        s.maybeFloor = 2 * floorVotes > n;
+        s.maybeCeiling = 2 * ceilingVotes > n;
+        merged.push_back(s);
+    }
+    return merged;
+}
+
+/// Area over height, one bin a `bin`; peaks are read off a smoothed copy.
+class HeightHistogram
+{
+public:
+    HeightHistogram(double low, double high, double bin)
+        : m_low(low), m_bin(bin), m_area(static_cast<std::size_t>(std::max(1.0, std::ceil((high - low) / bin) + 3)), 0.0)
+    {
+    }
+    void add(double z, double area)
+    {
+        const double i = (z - m_low) / m_bin + 1;
+        if (i >= 0 && i < static_cast<double>(m_area.size()))
+            m_area[static_cast<std::size_t>(i)] += area;
+    }
+    [[nodiscard]] double z(std::size_t i) const { return m_low + (static_cast<double>(i) - 0.5) * m_bin; }
+    /// Area within `reach` of each bin.
+    [[nodiscard]] std::vector<double> smoothed(double reach) const
+    {
+        const auto r = static_cast<std::ptrdiff_t>(std::lround(reach / m_bin));
+        std::vector<double> s(m_area.size(), 0.0);
+        for (std::size_t i = 0; i < s.size(); ++i)
+            for (std::ptrdiff_t k = -r; k <= r; ++k)
+            {
+                const std::ptrdiff_t j = static_cast<std::ptrdiff_t>(i) + k;
+                if (j >= 0 && j < static_cast<std::ptrdiff_t>(m_area.size()))
+                    s[i] += m_area[static_cast<std::size_t>(j)];
+            }
+        return s;
+    }
+
+private:
+    double m_low, m_bin;
+    std::vector<double> m_area;
+};
+
+/// Median of the values within `reach` of `centre`.
+double medianNear(std::vector<double> values, double centre, double reach)
+{
+    std::erase_if(values, [&](double v) { return std::abs(v - centre) > reach; });
+    if (values.empty())
+        return centre;
+    const auto mid = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), mid, values.end());
+    return *mid;
+}
+
+struct Peak
+{
+    double z = 0, area = 0;
+};
+
+/// Local maxima, the largest first; a smaller one within `apart` of a larger one is part of it.
+std::vector<Peak> peaksOf(const HeightHistogram& histogram, double apart)
+{
+    const std::vector<double> s = histogram.smoothed(0.04);
+    std::vector<Peak> all;
+    for (std::size_t i = 0; i < s.size(); ++i)
+        if (s[i] > 0)
+            all.push_back({histogram.z(i), s[i]});
+    std::sort(all.begin(), all.end(), [](const Peak& a, const Peak& b) { return std::tie(b.area, a.z) < std::tie(a.area, b.z); });
+    std::vector<Peak> peaks;
+    for (const Peak& p : all)
+        if (std::none_of(peaks.begin(), peaks.end(), [&](const Peak& q) { return std::abs(p.z - q.z) < apart; }))
+            peaks.push_back(p);
+    return peaks;
+}
+
+/// Height below which 98 % of the vertical surfaces above `floor` and below `limit` lie.
+double topOfVerticalSurfaces(const SurfaceCells& cells, double floor, double limit)
+{
+    std::vector<float> z;
+    for (const SurfaceCell& c : cells.cells)
+        if (!c.normal.isZero() && std::abs(c.normal.z()) < 0.3f && c.position.z() > floor && c.position.z() < limit &&
+            (!cells.hasLabels || c.label == Label::Wall))
+            z.push_back(c.position.z());
+    if (z.empty())
+        return std::min(limit, floor + 2.5);
+    const auto at = z.begin() + static_cast<std::ptrdiff_t>(static_cast<double>(z.size() - 1) * 0.98);
+    std::nth_element(z.begin(), at, z.end());
+    return static_cast<double>(*at);
+}
+
+}  // namespace
+
+LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, const Context& context)
+{
+    LevelResult result;
+    const std::vector<Surface> surfaces = surfacesByColumn(cells);
+    context.checkCancelled();
+    if (surfaces.empty())
+    {
+        result.diagnostics.push_back({Severity::Error, "levels", "NoHorizontalSurface",
+                                      "No horizontal surface was found, so there are no storeys: is the cloud's Z axis up?", {}, {}});
+        return result;
+    }
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Surface& s : surfaces)
+        low = std::min(low, s.z), high = std::max(high, s.z);
+
+    // In each column: which surface is a floor with room above it, and what is above.
+    const double columnArea = kColumn_m * kColumn_m;
+    HeightHistogram floors(low, high, params.binSize_m), openFloors(low, high, params.binSize_m);
+    std::vector<Pair> pairs;
+    std::vector<double> floorHeights;
+    for (std::size_t i = 0; i < surfaces.size(); ++i)
+    {
+        const Surface& s = surfaces[i];
+        if (!s.isLevel || !s.maybeFloor)
+            continue;
+        // The next surface that may be a ceiling (furniture above the floor is not one).
+        std::size_t j = i + 1;
+        while (j < surfaces.size() && sameColumn(surfaces[j], s) &&
+               (surfaces[j].z - s.z < params.minimumRoomHeight_m || !surfaces[j].maybeCeiling))
+            ++j;
+        const bool covered = j < surfaces.size() && sameColumn(surfaces[j], s) &&
+                             surfaces[j].z - s.z <= params.maximumRoomHeight_m;
+        if (covered)
+        {
+            floors.add(s.z, columnArea);
+            pairs.push_back({s.z, surfaces[j].z, surfaces[j].isLevel});
+        }
+        else
+            openFloors.add(s.z, columnArea);
+        floorHeights.push_back(s.z);
+    }
+
+    std::vector<Peak> peaks = peaksOf(floors, 0.5);
+    // Without any ceiling (not scanned) the floors themselves have to do; with labels an open floor counts as one too.
+    const std::vector<Peak> openPeaks = peaksOf(openFloors, 0.5);
+    const double largestPaired = peaks.empty() ? 0.0 : peaks.front().area;
+    for (const Peak& p : openPeaks)
+        if ((cells.hasLabels || largestPaired < params.minimumArea_m2) && p.area >= params.minimumArea_m2 &&
+            std::none_of(peaks.begin(), peaks.end(), [&](const Peak& q) { return std::abs(p.z - q.z) < 0.5 && q.area > 0.3 * p.area; }))
+            peaks.push_back(p);
+    if (peaks.empty())
+    {
+        result.diagnostics.push_back({Severity::Error, "levels", "NoFloor",
+                                      "No floor was found under a ceiling, so there are no storeys.", {}, {}});
+        return result;
+    }
+    const double largest = std::max_element(peaks.begin(), peaks.end(), [](const Peak& a, const Peak& b) { return a.area < b.area; })->area;
+    std::erase_if(peaks, [&](const Peak& p) { return p.area < params.minimumArea_m2 || p.area < params.minimumAreaShare * largest; });
+    std::sort(peaks.begin(), peaks.end(), [](const Peak& a, const Peak& b) { return a.z < b.z; });
+
+    for (const Peak& p : peaks)
+    {
+        Level level;
+        level.floor_m = medianNear(floorHeights, p.z, 0.05);
+        level.floorArea_m2 = p.area;
+        // The ceiling most of this floor lies under.
+        HeightHistogram ceilings(low, high, params.binSize_m);
+        std::vector<double> ceilingHeights;
+        double slopedTop = -std::numeric_limits<double>::infinity();
+        for (const Pair& q : pairs)
+            if (std::abs(q.floor - level.floor_m) < 0.06)
+            {
+                if (q.ceilingLevel)
+                    ceilings.add(q.ceiling, columnArea), ceilingHeights.push_back(q.ceiling);
+                else
+                    slopedTop = std::max(slopedTop, q.ceiling);
+            }
+        const std::vector<Peak> above = peaksOf(ceilings, 0.2);
+        if (!above.empty() && above.front().area > 0.25 * p.area)
+        {
+            level.ceiling_m = medianNear(ceilingHeights, above.front().z, 0.05);
+            level.ceilingArea_m2 = above.front().area;
+            level.ceilingSeen = true;
+        }
+        else
+            level.ceiling_m = slopedTop;  // settled below, when the next floor is known
+        result.levels.push_back(level);
+    }
+    for (std::size_t i = 0; i < result.levels.size(); ++i)
+    {
+        Level& level = result.levels[i];
+        if (level.ceilingSeen)
+            continue;
+        const double limit = i + 1 < result.levels.size() ? result.levels[i + 1].floor_m
+                                                           : level.floor_m + params.maximumRoomHeight_m;
+        if (!std::isfinite(level.ceiling_m) || level.ceiling_m > limit)
+            level.ceiling_m = topOfVerticalSurfaces(cells, level.floor_m, limit);
+        result.diagnostics.push_back({Severity::Warning, "levels", "CeilingNotLevel",
+                                      "No level ceiling was found above this floor; the walls' own tops give its height.",
+                                      {}, Eigen::Vector3d(0, 0, level.floor_m)});
+    }
+    return result;
+}
+
+}  // namespace s2b

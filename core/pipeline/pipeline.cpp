@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pipeline/pipeline.h"
+
+#include "core/cloud/clutter.h"
+#include "core/cloud/frame.h"
+#include "core/cloud/surface_cells.h"
+#include "core/columns/columns.h"
+#include "core/levels/levels.h"
+#include "core/openings/openings.h"
+#include "core/walls/walls.h"
+
+#include <format>
+#include <iterator>
+
+namespace s2b
+{
+namespace
+{
+
+template <typename T>
+void append(std::vector<T>& to, std::vector<T>&& from)
+{
+    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
+}  // namespace
+
+Building reconstruct(const CloudView& cloud, const PipelineOptions& options, const Context& context)
+{
+    const Parameters& p = options.parameters;
+    CloudView input = cloud;
+    if (options.geometryOnly)
+        input.labels = nullptr;
+    if (input.count == 0)
+        throw Error(ErrorCode::EmptyCloud, "the cloud has no points");
+
+    context.report("Clutter", 0.0);
+    const KeptRegion region = findDenseRegion(input, p.clutter, context);
+    context.report("Surface cells", 0.1);
+    SurfaceCells cells = buildSurfaceCells(input, region, p.cells, context);
+    context.report("Building frame", 0.5);
+    const double yaw = findDominantYaw(cells, p.frame);
+    rotateCells(cells, yaw);
+
+    Building building;
+    building.frame.yaw_rad = yaw;
+    building.frame.origin = input.origin;
+    std::uint32_t nextId = 1;
+
+    context.report("Levels", 0.55);
+    LevelResult levels = findLevels(cells, p.levels, context);
+    append(building.diagnostics, std::move(levels.diagnostics));
+    for (std::size_t i = 0; i < levels.levels.size(); ++i)
+    {
+        const Level& level = levels.levels[i];
+        Storey storey;
+        storey.id = ElementId{nextId++};
+        storey.name = std::format("Level {}", i);
+        storey.elevation_m = level.floor_m;
+        storey.height = {level.ceiling_m - level.floor_m, level.ceilingSeen ? Provenance::Measured : Provenance::Assumed, 0.0};
+        building.storeys.push_back(storey);
+    }
+
+    for (std::size_t i = 0; i < levels.levels.size(); ++i)
+    {
+        const Level& level = levels.levels[i];
+        const ElementId storey = building.storeys[i].id;
+        const auto stageFraction = [&](double within)
+        { return 0.6 + 0.4 * (static_cast<double>(i) + within) / static_cast<double>(levels.levels.size()); };
+        if (options.stages.contains(Stage::Walls))
+        {
+            context.report(std::format("Walls of {}", building.storeys[i].name), stageFraction(0.0));
+            WallResult walls = findWalls(cells, level, storey, nextId, p.walls, context);
+            for (const auto& [stage, kind] : {std::pair(Stage::Doors, OpeningKind::Door), std::pair(Stage::Windows, OpeningKind::Window)})
+                if (options.stages.contains(stage))
+                {
+                    OpeningResult openings = findOpenings(cells, level, walls.walls, kind, nextId, p.openings, context);
+                    append(building.openings, std::move(openings.openings));
+                    append(building.diagnostics, std::move(openings.diagnostics));
+                }
+            append(building.walls, std::move(walls.walls));
+            append(building.junctions, std::move(walls.junctions));
+            append(building.diagnostics, std::move(walls.diagnostics));
+        }
+        if (options.stages.contains(Stage::Columns))
+        {
+            context.report(std::format("Columns of {}", building.storeys[i].name), stageFraction(0.8));
+            ColumnResult columns = findColumns(cells, level, storey, nextId, p.columns, context);
+            append(building.columns, std::move(columns.columns));
+            append(building.diagnostics, std::move(columns.diagnostics));
+        }
+    }
+    return building;
+}
+
+}  // namespace s2b

@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/walls/faces.h"
+
+#include "core/geometry/dbscan.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <tuple>
+#include <unordered_map>
+
+namespace s2b
+{
+namespace
+{
+
+/// A line in plan with the pixels on it.
+struct Line
+{
+    Eigen::Vector2d t = Eigen::Vector2d::UnitX();
+    double offset = 0.0;
+    double begin = 0.0, end = 0.0;
+    double weight = 0.0;
+
+    [[nodiscard]] Eigen::Vector2d n() const { return {-t.y(), t.x()}; }
+};
+
+/// Offset with the most weight within +-tolerance among the pixels that are left; weight 0 when there is none.
+std::pair<double, double> bestOffset(const std::vector<PlanPixel>& pixels, const std::vector<std::uint32_t>& left,
+                                     const Eigen::Vector2d& n, double tolerance)
+{
+    std::vector<std::pair<double, double>> offsets;
+    offsets.reserve(left.size());
+    for (const std::uint32_t i : left)
+        offsets.emplace_back(n.dot(pixels[i].position), pixels[i].weight);
+    std::sort(offsets.begin(), offsets.end());
+    double sum = 0, best = 0, centre = 0;
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < offsets.size(); ++i)
+    {
+        sum += offsets[i].second;
+        while (offsets[i].first - offsets[first].first > 2 * tolerance)
+            sum -= offsets[first++].second;
+        if (sum > best + 1e-9)
+            best = sum, centre = (offsets[i].first + offsets[first].first) / 2;
+    }
+    return {centre, best};
+}
+
+/// Weighted total least squares of the chosen pixels.
+bool fitLine(const std::vector<PlanPixel>& pixels, const std::vector<std::uint32_t>& chosen, Line& line)
+{
+    double w = 0;
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    for (const std::uint32_t i : chosen)
+        w += pixels[i].weight, mean += pixels[i].weight * pixels[i].position;
+    if (w <= 0)
+        return false;
+    mean /= w;
+    double xx = 0, xy = 0, yy = 0;
+    for (const std::uint32_t i : chosen)
+    {
+        const Eigen::Vector2d d = pixels[i].position - mean;
+        xx += pixels[i].weight * d.x() * d.x();
+        xy += pixels[i].weight * d.x() * d.y();
+        yy += pixels[i].weight * d.y() * d.y();
+    }
+    const double a = 0.5 * std::atan2(2 * xy, xx - yy);
+    Eigen::Vector2d t(std::cos(a), std::sin(a));
+    if (t.dot(line.t) < 0)
+        t = -t;
+    line.t = t;
+    line.offset = line.n().dot(mean);
+    line.weight = w;
+    return true;
+}
+
+/// The heaviest run of pixels along the line without a gap wider than `gap`; sets begin and end.
+std::vector<std::uint32_t> heaviestRun(const std::vector<PlanPixel>& pixels, std::vector<std::uint32_t> chosen, double gap, Line& line)
+{
+    std::vector<std::pair<double, std::uint32_t>> order;
+    order.reserve(chosen.size());
+    for (const std::uint32_t i : chosen)
+        order.emplace_back(line.t.dot(pixels[i].position), i);
+    std::sort(order.begin(), order.end());
+    std::size_t bestFirst = 0, bestLast = 0;
+    double bestWeight = -1;
+    for (std::size_t i = 0; i < order.size();)
+    {
+        std::size_t j = i;
+        double w = pixels[order[i].second].weight;
+        while (j + 1 < order.size() && order[j + 1].first - order[j].first <= gap)
+            w += pixels[order[++j].second].weight;
+        if (w > bestWeight)
+            bestWeight = w, bestFirst = i, bestLast = j;
+        i = j + 1;
+    }
+    chosen.clear();
+    for (std::size_t i = bestFirst; i <= bestLast && i < order.size(); ++i)
+        chosen.push_back(order[i].second);
+    if (!chosen.empty())
+        line.begin = order[bestFirst].first, line.end = order[bestLast].first;
+    return chosen;
+}
+
+/// Lines of one instance, the heaviest first.
+std::vector<Line> linesOfInstance(const std::vector<PlanPixel>& pixels, std::vector<std::uint32_t> left, double normalAngle,
+                                  double cell, const WallParams& params)
+{
+    std::vector<Line> lines;
+    const Eigen::Vector2d axisNormal(std::cos(normalAngle), std::sin(normalAngle));
+    const Eigen::Vector2d axis(axisNormal.y(), -axisNormal.x());  // its normal (turned +90 degrees) is axisNormal
+    const double minimumWeight = params.minimumFaceArea_m2 / (cell * cell);
+    const double gap = std::max(0.30, 4 * cell);
+    const double cosine = std::cos(20.0 * std::numbers::pi / 180);
+    while (left.size() >= 3)
+    {
+        Line line;
+        line.t = axis;
+        const auto [offset, weight] = bestOffset(pixels, left, line.n(), params.planeDistance_m);
+        if (weight < minimumWeight)
+            break;
+        line.offset = offset;
+        std::vector<std::uint32_t> chosen;
+        const auto collect = [&](double tolerance)
+        {
+            chosen.clear();
+            for (const std::uint32_t i : left)
+                if (std::abs(line.n().dot(pixels[i].position) - line.offset) < tolerance &&
+                    std::abs(line.n().dot(pixels[i].normal)) > cosine)
+                    chosen.push_back(i);
+            chosen = heaviestRun(pixels, std::move(chosen), gap, line);
+        };
+        collect(1.5 * params.planeDistance_m);
+        bool fits = true;
+        for (int round = 0; round < 8 && fits; ++round)
+        {
+            const Line before = line;
+            fits = chosen.size() >= 3 && fitLine(pixels, chosen, line);
+            // A short piece says little about its own direction.
+            if (fits && line.end - line.begin < 0.6)
+            {
+                const double mid = (line.begin + line.end) / 2;
+                const Eigen::Vector2d centre = line.t * mid + line.n() * line.offset;
+                line.t = axis;
+                line.offset = line.n().dot(centre);
+            }
+            if (fits)
+                collect(1.5 * params.planeDistance_m);
+            if (fits && std::abs(line.offset - before.offset) < 1e-5 && std::abs(line.begin - before.begin) < 1e-5 &&
+                std::abs(line.end - before.end) < 1e-5)
+                break;
+        }
+        double sum = 0;
+        for (const std::uint32_t i : chosen)
+            sum += pixels[i].weight;
+        line.weight = sum;
+        // Pixels beside the line belong to it as well (noise, rough plaster): they must not become a second face.
+        std::vector<char> taken(pixels.size(), 0);
+        for (const std::uint32_t i : left)
+        {
+            const double s = line.t.dot(pixels[i].position);
+            if (std::abs(line.n().dot(pixels[i].position) - line.offset) < 1.8 * params.planeDistance_m && s >= line.begin - cell &&
+                s <= line.end + cell)
+                taken[i] = 1;
+        }
+        const std::size_t before = left.size();
+        std::erase_if(left, [&](std::uint32_t i) { return taken[i] != 0; });
+        if (fits && sum >= minimumWeight)
+            lines.push_back(line);
+        else if (left.size() == before)
+            break;
+        if (left.size() == before)
+            break;
+    }
+    return lines;
+}
+
+/// Gathers the storey's cells onto the faces: coverage, robust offset, labels.
+class FaceGatherer
+{
+public:
+    FaceGatherer(const std::vector<Line>& lines, double tolerance) : m_tolerance(tolerance)
+    {
+        for (std::size_t k = 0; k < lines.size(); ++k)
+        {
+            const Line& l = lines[k];
+            const int steps = static_cast<int>(std::ceil((l.end - l.begin) / (0.5 * kTile))) + 1;
+            std::uint64_t last = ~0ull;
+            for (int i = 0; i <= steps; ++i)
+                for (int side = -1; side <= 1; ++side)
+                {
+                    const double s = l.begin + (l.end - l.begin) * i / steps;
+                    const std::uint64_t key = tileOf(l.t * s + l.n() * (l.offset + side * 0.04));
+                    if (key == last)
+                        continue;
+                    last = key;
+                    auto& list = m_tiles[key];
+                    if (std::find(list.begin(), list.end(), static_cast<std::uint32_t>(k)) == list.end())
+                        list.push_back(static_cast<std::uint32_t>(k));
+                }
+        }
+    }
+    /// Line nearest to a cell within the tolerance, or -1.
+    [[nodiscard]] int nearest(const std::vector<Line>& lines, const Eigen::Vector2d& p, const Eigen::Vector2d& normal) const
+    {
+        const auto tile = m_tiles.find(tileOf(p));
+        if (tile == m_tiles.end())
+            return -1;
+        int best = -1;
+        double bestDistance = m_tolerance;
+        for (const std::uint32_t k : tile->second)
+        {
+            const Line& l = lines[k];
+            const double s = l.t.dot(p), d = std::abs(l.n().dot(p) - l.offset);
+            if (d < bestDistance && s >= l.begin - 0.03 && s <= l.end + 0.03 && std::abs(l.n().dot(normal)) > 0.9)
+                bestDistance = d, best = static_cast<int>(k);
+        }
+        return best;
+    }
+
+private:
+    static constexpr double kTile = 0.25;
+    [[nodiscard]] static std::uint64_t tileOf(const Eigen::Vector2d& p)
+    {
+        const auto part = [](double v) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(v / kTile)) + (1 << 30)); };
+        return part(p.x()) | part(p.y()) << 32;
+    }
+    double m_tolerance;
+    std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> m_tiles;
+};
+
+std::vector<Face> gather(const std::vector<Line>& lines, const SurfaceCells& cells, const Level& level, const WallParams& params)
+{
+    const FaceGatherer gatherer(lines, 1.5 * params.planeDistance_m);
+    std::vector<Face> faces(lines.size());
+    struct Sums
+    {
+        double w = 0, d = 0, dd = 0, wall = 0, cells = 0;
+    };
+    std::vector<Sums> sums(lines.size());
+    for (std::size_t k = 0; k < lines.size(); ++k)
+    {
+        faces[k].t = lines[k].t;
+        faces[k].offset = lines[k].offset;
+        faces[k].begin = lines[k].begin - 0.5 * cells.size_m;
+        faces[k].end = lines[k].end + 0.5 * cells.size_m;
+        faces[k].rows.assign(static_cast<std::size_t>(std::max(1.0, std::ceil(faces[k].length() / Face::kBin_m))), 0);
+    }
+    for (const SurfaceCell& c : cells.cells)
+    {
+        const double z = static_cast<double>(c.position.z());
+        if (c.normal.isZero() || std::abs(c.normal.z()) > 0.3f || z < level.floor_m || z > level.ceiling_m + 0.3)
+            continue;
+        const double weight = wallWeight(cells, c);
+        if (weight <= 0)
+            continue;
+        const Eigen::Vector2d p = c.position.head<2>().cast<double>();
+        const int k = gatherer.nearest(lines, p, c.normal.head<2>().cast<double>());
+        if (k < 0)
+            continue;
+        Face& f = faces[static_cast<std::size_t>(k)];
+        Sums& s = sums[static_cast<std::size_t>(k)];
+        const double d = f.n().dot(p) - f.offset, n = c.count;
+        s.w += n, s.d += n * d, s.dd += n * d * d, s.cells += 1;
+        s.wall += c.label == Label::Wall ? 1 : 0;
+        f.points += c.count;
+        const auto bin = static_cast<std::ptrdiff_t>(std::floor((f.t.dot(p) - f.begin) / Face::kBin_m));
+        const auto row = static_cast<std::ptrdiff_t>(std::floor((z - level.floor_m) / Face::kRow_m));
+        if (bin >= 0 && bin < static_cast<std::ptrdiff_t>(f.rows.size()) && row >= 0 && row < 64)
+            f.rows[static_cast<std::size_t>(bin)] |= 1ull << row;
+    }
+    for (std::size_t k = 0; k < faces.size(); ++k)
+    {
+        const Sums& s = sums[k];
+        if (s.w <= 0)
+            continue;
+        faces[k].offset += s.d / s.w;
+        faces[k].rms_m = std::sqrt(std::max(0.0, s.dd / s.w - (s.d / s.w) * (s.d / s.w)));
+        faces[k].wallShare = s.wall / s.cells;
+        faces[k].area_m2 = s.cells * cells.size_m * cells.size_m;
+    }
+    std::erase_if(faces, [&](const Face& f) { return f.area_m2 < params.minimumFaceArea_m2; });
+    return faces;
+}
+
+/// Distance from the face to the first seen floor or ceiling on each side: the room is on the nearer one.
+int roomSide(const Face& face, const PlanMask& mask, PlanMask::Layer layer)
+{
+    constexpr double reach = 0.5, step = 0.01;
+    std::array<std::vector<double>, 2> distances;
+    const int samples = std::max(1, static_cast<int>((face.length() - 0.1) / 0.08));
+    for (int i = 0; i < samples; ++i)
+    {
+        const Eigen::Vector2d p = face.at(face.begin + face.length() * (i + 0.5) / samples);
+        for (int k = 0; k < 2; ++k)
+        {
+            double d = step;
+            while (d < reach && !mask.seen(p + face.n() * (k == 0 ? d : -d), layer))
+                d += step;
+            distances[static_cast<std::size_t>(k)].push_back(d);
+        }
+    }
+    const auto median = [](std::vector<double>& v)
+    {
+        std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
+        return v[v.size() / 2];
+    };
+    const double left = median(distances[0]), right = median(distances[1]);
+    if (left >= reach && right >= reach)
+        return 0;
+    if (std::abs(left - right) < 0.025)
+        return 0;
+    return left < right ? 1 : -1;
+}
+
+}  // namespace
+
+std::vector<Face> findFaces(const SurfaceCells& cells, const Level& level, const PlanMask& mask, const WallParams& params,
+                            const Context& context)
+{
+    std::vector<Line> lines;
+    for (const AxisSet& set : sortByAxis(cells, level, params))
+    {
+        context.checkCancelled();
+        std::vector<Eigen::Vector2d> positions;
+        positions.reserve(set.pixels.size());
+        for (const PlanPixel& p : set.pixels)
+            positions.push_back(p.position);
+        const double radius = std::max(params.clusterRadius_m, 2.5 * cells.size_m);
+        const std::vector<int> instance = dbscan(positions, radius, std::min(params.clusterMinimumCells, 3));
+        std::map<int, std::vector<std::uint32_t>> members;
+        for (std::size_t i = 0; i < instance.size(); ++i)
+            if (instance[i] >= 0)
+                members[instance[i]].push_back(static_cast<std::uint32_t>(i));
+        for (auto& [id, list] : members)
+        {
+            const std::vector<Line> found = linesOfInstance(set.pixels, std::move(list), set.angle_rad, cells.size_m, params);
+            lines.insert(lines.end(), found.begin(), found.end());
+        }
+    }
+    // The same direction for all faces that nearly agree, so that begin, end and offset can be compared.
+    for (Line& l : lines)
+        if (l.t.x() < -1e-9 || (std::abs(l.t.x()) <= 1e-9 && l.t.y() < 0))
+        {
+            l.t = -l.t;
+            l.offset = -l.offset;
+            std::tie(l.begin, l.end) = std::pair(-l.end, -l.begin);
+        }
+    std::vector<Face> faces = gather(lines, cells, level, params);
+    for (Face& f : faces)
+    {
+        f.side = roomSide(f, mask, mask.mainLayer());
+        if (f.side == 0)
+            f.side = roomSide(f, mask, mask.mainLayer() == PlanMask::Ceiling ? PlanMask::Floor : PlanMask::Ceiling);
+    }
+    return faces;
+}
+
+}  // namespace s2b

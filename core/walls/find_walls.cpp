@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/walls/faces.h"
+#include "core/walls/parallel_planes.h"
+#include "core/walls/plan_mask.h"
+#include "core/walls/thickness.h"
+#include "core/walls/topology.h"
+#include "core/walls/walls.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <format>
+
+namespace s2b
+{
+namespace
+{
+
+/// Height that the wall's faces reach, as the value that a quarter of their places exceed.
+double measuredTop(const WallBody& body, const std::vector<Face>& faces, const Level& level)
+{
+    std::vector<int> tops;
+    for (const auto* list : {&body.lowFaces, &body.highFaces})
+        for (const std::uint32_t f : *list)
+            for (const std::uint64_t rows : faces[f].rows)
+                if (rows)
+                    tops.push_back(64 - std::countl_zero(rows));
+    if (tops.empty())
+        return level.ceiling_m;
+    const auto at = tops.begin() + static_cast<std::ptrdiff_t>(0.75 * static_cast<double>(tops.size() - 1));
+    std::nth_element(tops.begin(), at, tops.end());
+    return level.floor_m + Face::kRow_m * *at;
+}
+
+Evidence evidenceOf(const WallBody& body, const std::vector<Face>& faces, double height)
+{
+    Evidence e;
+    e.facesSeen = body.lowSeen + body.highSeen;
+    double weight = 0, square = 0, label = 0;
+    // The left face (seen from start to end) is the high one.
+    const std::array<const std::vector<std::uint32_t>*, 2> sides{&body.highFaces, &body.lowFaces};
+    for (std::size_t side = 0; side < 2; ++side)
+    {
+        double covered = 0;
+        for (const std::uint32_t f : *sides[side])
+        {
+            const Face& face = faces[f];
+            e.points += face.points;
+            weight += face.area_m2;
+            square += face.area_m2 * face.rms_m * face.rms_m;
+            label += face.area_m2 * face.wallShare;
+            for (std::size_t b = 0; b < face.rows.size(); ++b)
+            {
+                const double s = face.begin + (static_cast<double>(b) + 0.5) * Face::kBin_m;
+                if (s > body.begin && s < body.end)
+                    covered += std::popcount(face.rows[b]) * Face::kRow_m * Face::kBin_m;
+            }
+        }
+        e.faceCoverage[side] = std::clamp(covered / std::max(0.01, (body.end - body.begin) * height), 0.0, 1.0);
+    }
+    if (weight > 0)
+        e.rms_m = std::sqrt(square / weight), e.labelShare = label / weight;
+    return e;
+}
+
+/// 1 when nothing of the building was seen on exactly one side, 0 when both sides show room, -1 when it can't be said.
+int externalOf(const WallBody& body, const PlanMask& mask)
+{
+    const Eigen::Vector2d from = body.t * body.begin, to = body.t * body.end;
+    const auto ceilingBeside = [&](double low, double high)
+    { return mask.share(from, to, low, high, PlanMask::Ceiling) > 0.15; };
+    const bool below = ceilingBeside(body.low - 0.8, body.low - 0.1), above = ceilingBeside(body.high + 0.1, body.high + 0.8);
+    if (below && above)
+        return 0;
+    return body.bothSeen() && below != above ? 1 : -1;
+}
+
+}  // namespace
+
+WallResult findWalls(const SurfaceCells& cells, const Level& level, ElementId storey, std::uint32_t& nextId,
+                     const WallParams& params, const Context& context)
+{
+    WallResult result;
+    const PlanMask mask(cells, level);
+    std::vector<Face> faces = findFaces(cells, level, mask, params, context);
+    alignFaces(faces);
+    std::vector<WallBody> bodies = pairFaces(faces, mask, params);
+    settleThickness(bodies, cells, level, mask, params);
+    bodies = mergeBodies(std::move(bodies), mask, params);
+    context.checkCancelled();
+    const Plan plan = connectWalls(std::move(bodies), mask, params);
+
+    std::vector<ElementId> idOf(plan.walls.size());
+    for (std::size_t i = 0; i < plan.walls.size(); ++i)
+    {
+        const PlanWall& p = plan.walls[i];
+        const double top = measuredTop(p.body, faces, level);
+        const bool reachesCeiling = top > level.ceiling_m - 0.35;
+        const double height = (reachesCeiling ? level.ceiling_m : top) - level.floor_m;
+        if (height < params.minimumHeight_m)
+            continue;
+        Wall w;
+        w.id = idOf[i] = ElementId{nextId++};
+        w.storey = storey;
+        const double middle = p.body.middle();
+        w.start = p.body.t * p.axisBegin + p.body.n() * middle;
+        w.end = p.body.t * p.axisEnd + p.body.n() * middle;
+        w.bodyStart_m = p.body.begin - p.axisBegin;
+        w.bodyEnd_m = p.body.end - p.axisBegin;
+        w.base_m = level.floor_m;
+        w.height = {height, level.ceilingSeen || !reachesCeiling ? Provenance::Measured : Provenance::Assumed, level.floorRms_m};
+        w.evidence = evidenceOf(p.body, faces, height);
+        w.thickness = {p.body.thickness(), p.body.bothSeen() ? Provenance::Measured : Provenance::Assumed, w.evidence.rms_m};
+        const int external = externalOf(p.body, mask);
+        w.isExternalKnown = external >= 0;
+        w.isExternal = external == 1;
+        if (!p.body.bothSeen())
+            result.diagnostics.push_back({Severity::Warning, "walls", "ThicknessAssumed",
+                                          std::format("Only one face of the wall was seen; its thickness of {:.3f} m is assumed.",
+                                                      p.body.thickness()),
+                                          w.id, Eigen::Vector3d((w.start.x() + w.end.x()) / 2, (w.start.y() + w.end.y()) / 2, level.floor_m)});
+        result.walls.push_back(w);
+    }
+    for (const BodyJunction& j : plan.junctions)
+    {
+        if (idOf[j.wall].value == 0 || idOf[j.other].value == 0)
+            continue;
+        const auto endOf = [](int e) { return e < 0 ? JunctionEnd::Start : (e > 0 ? JunctionEnd::End : JunctionEnd::Path); };
+        // A corner is found from both walls; it is one junction.
+        const bool known = std::any_of(result.junctions.begin(), result.junctions.end(), [&](const Junction& k)
+                                       { return k.wallA == idOf[j.other] && k.wallB == idOf[j.wall]; });
+        if (!known)
+            result.junctions.push_back({idOf[j.wall], idOf[j.other], j.atEnd ? JunctionEnd::End : JunctionEnd::Start, endOf(j.otherEnd)});
+    }
+    return result;
+}
+
+}  // namespace s2b

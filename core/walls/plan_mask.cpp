@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/walls/plan_mask.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace s2b
+{
+namespace
+{
+
+/// Which layer a cell is evidence of; 0 for none.
+std::uint8_t layerOf(const SurfaceCells& cells, const SurfaceCell& c, const Level& level)
+{
+    const double nz = std::abs(static_cast<double>(c.normal.z()));
+    const double z = static_cast<double>(c.position.z());
+    if (nz < 0.4 || z < level.floor_m - 0.15 || z > level.ceiling_m + 0.4)
+        return 0;
+    if (cells.hasLabels && (c.label == Label::Wall || c.label == Label::Window || c.label == Label::Door ||
+                            c.label == Label::Furniture || c.label == Label::Column))
+        return 0;
+    if (nz > 0.9 && std::abs(z - level.floor_m) < 0.10)
+        return PlanMask::Floor;
+    if (level.ceilingSeen)
+        return nz > 0.9 && z > level.ceiling_m - 0.15 && z < level.ceiling_m + 0.15 ? PlanMask::Ceiling : 0;
+    return z > level.floor_m + 1.4 && nz < 0.97 ? PlanMask::Ceiling : 0;  // a sloped ceiling
+}
+
+}  // namespace
+
+PlanMask::PlanMask(const SurfaceCells& cells, const Level& level)
+{
+    m_pixel = std::max(0.03, 1.3 * cells.size_m);
+    Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    std::vector<std::pair<Eigen::Vector2d, std::uint8_t>> hits;
+    for (const SurfaceCell& c : cells.cells)
+        if (const std::uint8_t layer = layerOf(cells, c, level))
+        {
+            const Eigen::Vector2d p = c.position.head<2>().cast<double>();
+            low = low.cwiseMin(p);
+            high = high.cwiseMax(p);
+            hits.emplace_back(p, layer);
+        }
+    if (hits.empty())
+        return;
+    m_low = low - Eigen::Vector2d::Constant(m_pixel);
+    m_size = ((high - m_low) / m_pixel).array().ceil().cast<int>() + 2;
+    m_layers.assign(static_cast<std::size_t>(m_size.x()) * static_cast<std::size_t>(m_size.y()), 0);
+    for (const auto& [p, layer] : hits)
+    {
+        const Eigen::Vector2i i = ((p - m_low) / m_pixel).array().floor().cast<int>();
+        m_layers[static_cast<std::size_t>(i.x()) + static_cast<std::size_t>(m_size.x()) * static_cast<std::size_t>(i.y())] |= layer;
+    }
+    if (area_m2(Ceiling) < 0.3 * area_m2(Floor))
+        m_main = Floor;
+}
+
+bool PlanMask::seen(const Eigen::Vector2d& p, Layer layer) const
+{
+    const Eigen::Vector2i i = ((p - m_low) / m_pixel).array().floor().cast<int>();
+    if ((i.array() < 0).any() || (i.array() >= m_size.array()).any())
+        return false;
+    return m_layers[static_cast<std::size_t>(i.x()) + static_cast<std::size_t>(m_size.x()) * static_cast<std::size_t>(i.y())] & layer;
+}
+
+double PlanMask::area_m2(Layer layer) const
+{
+    return m_pixel * m_pixel *
+           static_cast<double>(std::count_if(m_layers.begin(), m_layers.end(), [&](std::uint8_t v) { return v & layer; }));
+}
+
+double PlanMask::share(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double low, double high, Layer layer) const
+{
+    const double length = (b - a).norm();
+    const Eigen::Vector2d t = length > 1e-9 ? Eigen::Vector2d((b - a) / length) : Eigen::Vector2d::UnitX();
+    const Eigen::Vector2d n(-t.y(), t.x());
+    const int ns = std::max(1, static_cast<int>(std::ceil(length / m_pixel)));
+    const int nd = std::max(1, static_cast<int>(std::ceil((high - low) / m_pixel)));
+    int hits = 0;
+    for (int i = 0; i < ns; ++i)
+        for (int j = 0; j < nd; ++j)
+            hits += seen(a + t * (length * (i + 0.5) / ns) + n * (low + (high - low) * (j + 0.5) / nd), layer);
+    return static_cast<double>(hits) / (ns * nd);
+}
+
+double PlanMask::freeShare(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double low, double high) const
+{
+    return share(a, b, low, high, m_main);
+}
+
+}  // namespace s2b

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/walls/thickness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace s2b
+{
+namespace
+{
+
+bool isSameLine(const WallBody& a, const WallBody& b) { return std::abs(a.t.x() * b.t.y() - a.t.y() * b.t.x()) < 1e-6; }
+
+void setThickness(WallBody& b, double thickness)
+{
+    if (b.lowSeen)
+        b.high = b.low + thickness;
+    else
+        b.low = b.high - thickness;
+}
+
+/// Depths behind the face of a one-sided body at which opening surfaces (jambs, sills, heads, frames, panes) were seen.
+std::optional<double> revealDepth(const WallBody& body, const SurfaceCells& cells, const Level& level, const WallParams& params)
+{
+    const double face = body.lowSeen ? body.low : body.high, sign = body.lowSeen ? 1.0 : -1.0;
+    const Eigen::Vector2d n = body.n();
+    constexpr double bin = 0.01;
+    std::vector<double> histogram(static_cast<std::size_t>(params.maximumThickness_m / bin) + 2, 0.0);
+    double total = 0;
+    for (const SurfaceCell& c : cells.cells)
+    {
+        const double z = static_cast<double>(c.position.z());
+        if (z < level.floor_m + 0.15 || z > level.ceiling_m - 0.1 || c.normal.isZero())
+            continue;
+        const Eigen::Vector2d p = c.position.head<2>().cast<double>();
+        const double depth = sign * (n.dot(p) - face), s = body.t.dot(p);
+        if (depth < 0.03 || depth > params.maximumThickness_m || s < body.begin + 0.1 || s > body.end - 0.1)
+            continue;
+        if (cells.hasLabels && c.label != Label::Window && c.label != Label::Door && c.label != Label::Wall)
+            continue;
+        // Surfaces across the wall: jambs, sills, heads; and window frames and panes whatever their direction.
+        const double across = std::abs(n.x() * static_cast<double>(c.normal.x()) + n.y() * static_cast<double>(c.normal.y()));
+        if (across > 0.3 && !(cells.hasLabels && c.label == Label::Window))
+            continue;
+        histogram[static_cast<std::size_t>(depth / bin)] += 1;
+        total += 1;
+    }
+    const double area = total * cells.size_m * cells.size_m;
+    if (area < 0.08)
+        return std::nullopt;
+    // The depth that 97 % of it does not exceed.
+    double sum = 0;
+    for (std::size_t i = 0; i < histogram.size(); ++i)
+    {
+        sum += histogram[i];
+        if (sum >= 0.97 * total)
+            return (static_cast<double>(i) + 1) * bin;
+    }
+    return std::nullopt;
+}
+
+double weightedMedian(std::vector<std::pair<double, double>> values)
+{
+    std::sort(values.begin(), values.end());
+    double total = 0, sum = 0;
+    for (const auto& [v, w] : values)
+        total += w;
+    for (const auto& [v, w] : values)
+    {
+        sum += w;
+        if (2 * sum >= total)
+            return v;
+    }
+    return 0;
+}
+
+}  // namespace
+
+void settleThickness(std::vector<WallBody>& bodies, const SurfaceCells& cells, const Level& level, const PlanMask& mask,
+                     const WallParams& params)
+{
+    std::vector<WallBody*> open;
+    for (WallBody& b : bodies)
+    {
+        if (b.bothSeen())
+            continue;
+        // The same wall elsewhere: a body on the same line whose face is this one's.
+        const WallBody* best = nullptr;
+        double bestGap = 3.0;
+        for (const WallBody& o : bodies)
+        {
+            if (!o.bothSeen() || !isSameLine(b, o))
+                continue;
+            const double difference = b.lowSeen ? std::abs(o.low - b.low) : std::abs(o.high - b.high);
+            const double gap = std::max(o.begin - b.end, b.begin - o.end);
+            if (difference < params.mergeOffset_m && gap < bestGap)
+                bestGap = gap, best = &o;
+        }
+        if (best)
+        {
+            setThickness(b, best->thickness());
+            continue;
+        }
+        open.push_back(&b);
+    }
+    // Kinds: external walls have nothing seen behind them, internal ones do.
+    const auto isExternal = [&](const WallBody& b)
+    {
+        const double face = b.lowSeen ? b.low : b.high, sign = b.lowSeen ? 1.0 : -1.0;
+        const Eigen::Vector2d from = b.t * b.begin + b.n() * face, to = b.t * b.end + b.n() * face;
+        const double low = sign > 0 ? 0.10 : -1.2, high = sign > 0 ? 1.2 : -0.10;
+        return mask.share(from, to, low, high, PlanMask::Floor) < 0.05 && mask.share(from, to, low, high, PlanMask::Ceiling) < 0.05;
+    };
+    std::vector<std::pair<double, double>> internal, external;
+    for (const WallBody& b : bodies)
+        if (b.bothSeen())
+            internal.emplace_back(b.thickness(), b.end - b.begin);
+    std::vector<WallBody*> externalOpen, internalOpen;
+    for (WallBody* b : open)
+    {
+        const std::optional<double> depth = revealDepth(*b, cells, level, params);
+        const bool outside = isExternal(*b);
+        if (depth)
+        {
+            setThickness(*b, std::max(*depth, params.minimumThickness_m));
+            if (outside)
+                external.emplace_back(*depth, b->end - b->begin);
+        }
+        else
+            (outside ? externalOpen : internalOpen).push_back(b);
+    }
+    const double externalThickness = external.empty() ? params.defaultExternalThickness_m : weightedMedian(external);
+    const double internalThickness = internal.empty() ? params.defaultThickness_m : weightedMedian(internal);
+    for (WallBody* b : externalOpen)
+        setThickness(*b, externalThickness);
+    for (WallBody* b : internalOpen)
+        setThickness(*b, internalThickness);
+}
+
+}  // namespace s2b
