@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <locale>
 #include <map>
 #include <sstream>
 #include <type_traits>
@@ -54,7 +55,15 @@ void checkFinite(double value, const std::string& where)
 
 struct Builder::Implementation
 {
-    explicit Implementation(const std::string& name) : schema(schemaOf(name)), file(schema) {}
+    explicit Implementation(const std::string& name) : schema(schemaOf(name)) {}
+
+    /// IfcFile::addEntity would also record who refers to whom, which a file that is only written doesn't need and which
+    /// takes most of the time.
+    Instance keep(Instance instance)
+    {
+        instances.emplace_back(instance);
+        return instance;
+    }
 
     const EntityInfo& info(std::string_view name)
     {
@@ -78,7 +87,7 @@ struct Builder::Implementation
     Instance typed(const TypedValue& value)
     {
         const auto* declaration = schema->declaration_by_name(std::string(value.type));
-        Instance instance = schema->instantiate(declaration, IfcEntityInstanceData(storage_t(1)));
+        Instance instance = keep(schema->instantiate(declaration, IfcEntityInstanceData(storage_t(1))));
         std::visit(
             [&](const auto& x)
             {
@@ -87,7 +96,7 @@ struct Builder::Implementation
                 instance->set_attribute_value(0, x);
             },
             value.value);
-        return file.addEntity(instance);
+        return instance;
     }
 
     void set(Instance instance, const EntityInfo& info, std::size_t index, const std::string& where, const Builder::Value& value)
@@ -141,7 +150,8 @@ struct Builder::Implementation
     }
 
     const IfcParse::schema_definition* schema;
-    IfcParse::IfcFile file;
+    std::vector<std::unique_ptr<IfcUtil::IfcBaseClass>> instances;  // entities, and typed values, which have id 0
+    std::uint32_t entityCount = 0;
     std::map<std::string, EntityInfo, std::less<>> entities;
 };
 
@@ -152,7 +162,8 @@ Builder::~Builder() = default;
 Instance Builder::add(std::string_view entity, std::span<const Attribute> attributes)
 {
     const EntityInfo& info = m_impl->info(entity);
-    Instance instance = m_impl->schema->instantiate(info.entity, IfcEntityInstanceData(storage_t(info.entity->attribute_count())));
+    Instance instance =
+        m_impl->keep(m_impl->schema->instantiate(info.entity, IfcEntityInstanceData(storage_t(info.entity->attribute_count()))));
     static_cast<IfcUtil::IfcBaseEntity*>(instance)->populate_derived();
     for (const Attribute& attribute : attributes)
     {
@@ -164,12 +175,14 @@ Instance Builder::add(std::string_view entity, std::span<const Attribute> attrib
     for (const std::size_t index : info.mandatory)
         if (instance->data().get_attribute_value(index).isNull())
             fail(std::string(entity) + " lacks its " + info.entity->attribute_by_index(index)->name());
-    return m_impl->file.addEntity(instance);
+    instance->id_ = ++m_impl->entityCount;
+    return instance;
 }
 
 std::string Builder::text(const Header& header) const
 {
-    auto& spf = m_impl->file.header();
+    IfcParse::IfcFile file(m_impl->schema);  // for its header
+    auto& spf = file.header();
     spf.file_description().description({"ViewDefinition [DesignTransferView_V1.0]"});
     spf.file_name().name(header.name);
     spf.file_name().time_stamp(header.timestamp);
@@ -178,7 +191,15 @@ std::string Builder::text(const Header& header) const
     spf.file_name().originating_system(header.originatingSystem);
     spf.file_name().authorization("None");
     std::ostringstream out;
-    out << m_impl->file;
+    out.imbue(std::locale::classic());
+    spf.write(out);
+    for (const auto& instance : m_impl->instances)
+        if (instance->id() != 0)
+        {
+            instance->toString(out, true);
+            out << ";\n";
+        }
+    out << "ENDSEC;\nEND-ISO-10303-21;\n";
     return std::move(out).str();
 }
 
