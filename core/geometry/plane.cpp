@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geometry/plane.h"
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/sample_consensus/ransac.h>
+#include <pcl/sample_consensus/sac_model_plane.h>
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+#include <numeric>
+
+namespace s2b
+{
+
+namespace
+{
+
+constexpr int kRefineRounds = 5;
+
+/// PCL seeds its draws with a constant or with chance; ours come from the run's seed.
+class SeededPlaneModel : public pcl::SampleConsensusModelPlane<pcl::PointXYZ>
+{
+public:
+    SeededPlaneModel(const PointCloudConstPtr& cloud, std::uint64_t seed) : SampleConsensusModelPlane(cloud)
+    {
+        rng_alg_.seed(static_cast<std::uint32_t>(seed ^ (seed >> 32)));
+    }
+};
+
+/// Total least squares over some of the points. @return false when they are collinear.
+bool fitToInliers(std::span<const Eigen::Vector3f> points, PlaneFit& plane)
+{
+    if (plane.inliers.size() < 3)
+        return false;
+    const Eigen::Vector3d reference = points[plane.inliers.front()].cast<double>();
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const std::size_t i : plane.inliers)
+        mean += points[i].cast<double>() - reference;
+    mean /= static_cast<double>(plane.inliers.size());
+    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+    for (const std::size_t i : plane.inliers)
+    {
+        const Eigen::Vector3d d = points[i].cast<double>() - reference - mean;
+        moments += d * d.transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments);
+    if (!(solver.eigenvalues()[1] > 1e-12 * solver.eigenvalues()[2]))
+        return false;
+    plane.normal = solver.eigenvectors().col(0);
+    Eigen::Index largest = 0;
+    plane.normal.cwiseAbs().maxCoeff(&largest);
+    if (plane.normal[largest] < 0.0)
+        plane.normal = -plane.normal;
+    plane.offset_m = plane.normal.dot(reference + mean);
+    return true;
+}
+
+void gatherInliers(std::span<const Eigen::Vector3f> points, double tolerance, PlaneFit& plane)
+{
+    plane.inliers.clear();
+    double squares = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        const double distance = plane.distance(points[i].cast<double>());
+        if (std::abs(distance) > tolerance)
+            continue;
+        plane.inliers.push_back(i);
+        squares += distance * distance;
+    }
+    const auto count = static_cast<double>(plane.inliers.size());
+    plane.inlierShare = count / static_cast<double>(points.size());
+    plane.rms_m = plane.inliers.empty() ? 0.0 : std::sqrt(squares / count);
+}
+
+}  // namespace
+
+std::optional<PlaneFit> fitPlane(std::span<const Eigen::Vector3f> points, const PlaneOptions& options)
+{
+    if (points.size() < 3)
+        return std::nullopt;
+    // PCL's float planes lose millimetres far from the origin.
+    const Eigen::Vector3f reference = points.front();
+    auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+    cloud->reserve(points.size());
+    for (const Eigen::Vector3f& p : points)
+        cloud->emplace_back(p.x() - reference.x(), p.y() - reference.y(), p.z() - reference.z());
+    const auto model = std::make_shared<SeededPlaneModel>(cloud, options.seed);
+    pcl::RandomSampleConsensus<pcl::PointXYZ> consensus(model, options.tolerance_m);
+    consensus.setMaxIterations(options.trials);
+    consensus.setProbability(0.9999);
+    consensus.setNumberOfThreads(-1);  // serial: the draws' order then is the same everywhere
+    if (!consensus.computeModel())
+        return std::nullopt;
+    pcl::Indices found;
+    consensus.getInliers(found);
+
+    PlaneFit plane;
+    for (const auto i : found)
+        plane.inliers.push_back(static_cast<std::size_t>(i));
+    for (int round = 0; round < kRefineRounds; ++round)
+    {
+        if (!fitToInliers(points, plane))
+            return std::nullopt;
+        const std::size_t before = plane.inliers.size();
+        gatherInliers(points, options.tolerance_m, plane);
+        if (plane.inliers.size() == before)
+            break;
+    }
+    return plane;
+}
+
+}  // namespace s2b
