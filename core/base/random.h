@@ -3,7 +3,6 @@
 /// the number of threads changes a result.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 namespace s2b
@@ -24,11 +23,10 @@ namespace s2b
     return mixed;
 }
 
-/// An index in [0, count), count >= 1. (Modulo: the bias is below count / 2^64.)
-[[nodiscard]] constexpr std::size_t randomIndex(std::uint64_t seed, std::uint64_t stream, std::uint64_t counter,
-                                                std::size_t count) noexcept
+/// A number in [0, 1), of 53 random bits.
+[[nodiscard]] constexpr double randomShare(std::uint64_t seed, std::uint64_t stream, std::uint64_t counter) noexcept
 {
-    return static_cast<std::size_t>(randomBits(seed, stream, counter) % count);
+    return static_cast<double>(randomBits(seed, stream, counter) >> 11) * 0x1.0p-53;
 }
 
 }  // namespace s2b

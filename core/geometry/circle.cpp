@@ -33,7 +33,15 @@ struct Sample
 {
     std::vector<Eigen::Vector2d> points;
     std::vector<double> weights;
+    std::vector<double> weightUpTo;  ///< sum of the weights before and of each point
     double totalWeight = 0.0;
+
+    /// The point at a share in [0, 1) of all weight.
+    [[nodiscard]] const Eigen::Vector2d& pointAt(double share) const
+    {
+        const auto at = std::ranges::upper_bound(weightUpTo, share * totalWeight) - weightUpTo.begin();
+        return points[std::min(points.size() - 1, static_cast<std::size_t>(at))];
+    }
 };
 
 /// The circle through three points; nothing for (nearly) collinear or equal ones.
@@ -65,7 +73,7 @@ std::optional<Circle> circleThrough(const Eigen::Vector2d& a, const Eigen::Vecto
 std::optional<Circle> draw(const Sample& sample, const CircleOptions& options, std::uint64_t trial)
 {
     const auto pick = [&](std::uint64_t part) -> const Eigen::Vector2d&
-    { return sample.points[randomIndex(options.seed, trial, part, sample.points.size())]; };
+    { return sample.pointAt(randomShare(options.seed, trial, part)); };
     if (options.knownRadius_m)
         return circleThrough(pick(0), pick(1), *options.knownRadius_m, randomBits(options.seed, trial, 2) % 2 == 0);
     return circumcircle(pick(0), pick(1), pick(2));
@@ -179,6 +187,7 @@ std::optional<CircleFit> fitCircle(std::span<const Eigen::Vector2d> points, std:
         sample.points.push_back(points[i] - points.front());
         sample.weights.push_back(weight);
         sample.totalWeight += weight;
+        sample.weightUpTo.push_back(sample.totalWeight);
     }
     if (sample.points.size() < 2)
         return std::nullopt;

@@ -34,8 +34,9 @@ struct CircleFit
 /// Circle through points in plan (D3.6, 3.6: a vertical cylinder seen from above): RANSAC over circles through three
 /// drawn points, then geometric least squares (Gauss-Newton on the distances) on the inliers.
 ///
-/// Differs from D3.6: draws are scored by truncated squares of the distances (MSAC, Torr and Zisserman 2000), so that
-/// of circles with as many inliers the closer one wins; and the best is refined on all of its inliers.
+/// Differs from D3.6: points are drawn by their weight; draws are scored by truncated squares of the distances (MSAC,
+/// Torr and Zisserman 2000), so that of circles with as many inliers the closer one wins; and the best is refined on
+/// all of its inliers.
 /// @param points   finite.
 /// @param weights  empty (all 1), or one a point, >= 0.
 /// @return Nothing when no draw gives a circle within the limits: fewer than three different points (two when the

@@ -32,19 +32,21 @@ double weightOf(std::span<const double> weights, std::size_t i)
     return weights.empty() ? 1.0 : weights[i];
 }
 
-/// Where half of the weight is reached. The order of equal values does not matter.
+/// Where half of the weight is reached; the middle of two values when it is reached between them.
 double weightedMedian(std::vector<Weighted> values)
 {
-    std::ranges::sort(values, {}, &Weighted::value);
+    std::ranges::sort(values, {}, [](const Weighted& v) { return std::pair(v.value, v.weight); });
     double total = 0.0;
     for (const Weighted& v : values)
         total += v.weight;
     double sum = 0.0;
-    for (const Weighted& v : values)
+    for (std::size_t i = 0; i < values.size(); ++i)
     {
-        sum += v.weight;
+        sum += values[i].weight;
+        if (2.0 * sum == total && i + 1 < values.size())
+            return 0.5 * (values[i].value + values[i + 1].value);
         if (2.0 * sum >= total)
-            return v.value;
+            return values[i].value;
     }
     return values.empty() ? 0.0 : values.back().value;
 }

@@ -3,12 +3,12 @@
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
-#include <pcl/sample_consensus/ransac.h>
 #include <pcl/sample_consensus/sac_model_plane.h>
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <memory>
 
 namespace s2b
 {
@@ -18,15 +18,64 @@ namespace
 
 constexpr int kRefineRounds = 5;
 
-/// PCL seeds its draws with a constant or with chance; ours come from the run's seed.
-class SeededPlaneModel : public pcl::SampleConsensusModelPlane<pcl::PointXYZ>
+/// The probability that the best plane is not missed, after which draws end early.
+constexpr double kConfidence = 0.9999;
+
+/// PCL seeds its draws with a constant or with chance; ours come from the run's seed. And it prints an error for each
+/// draw of collinear points, which is no error here.
+class PlaneModel : public pcl::SampleConsensusModelPlane<pcl::PointXYZ>
 {
 public:
-    SeededPlaneModel(const PointCloudConstPtr& cloud, std::uint64_t seed) : SampleConsensusModelPlane(cloud)
+    PlaneModel(const PointCloudConstPtr& cloud, std::uint64_t seed) : SampleConsensusModelPlane(cloud)
     {
         rng_alg_.seed(static_cast<std::uint32_t>(seed ^ (seed >> 32)));
     }
+
+protected:
+    [[nodiscard]] bool isSampleGood(const pcl::Indices& samples) const override
+    {
+        const Eigen::Vector3f a = at(samples[0]);
+        const Eigen::Vector3f ab = at(samples[1]) - a;
+        const Eigen::Vector3f ac = at(samples[2]) - a;
+        return ab.cross(ac).norm() > 1e-4f * std::max(ab.squaredNorm(), ac.squaredNorm());
+    }
+
+private:
+    [[nodiscard]] Eigen::Vector3f at(pcl::index_t i) const
+    {
+        return (*input_)[static_cast<std::size_t>(i)].getVector3fMap();
+    }
 };
+
+/// The best of the drawn planes (PCL's RandomSampleConsensus prints when there is none). @return its inliers.
+pcl::Indices drawPlane(PlaneModel& model, std::size_t pointCount, const PlaneOptions& options)
+{
+    Eigen::VectorXf best;
+    std::size_t bestCount = 0;
+    double needed = options.trials;
+    for (int trial = 0; trial < options.trials && trial < needed; ++trial)
+    {
+        int iteration = trial;
+        pcl::Indices samples;
+        model.getSamples(iteration, samples);
+        if (samples.empty())
+            break;  // a thousand draws in a row were collinear
+        Eigen::VectorXf plane;
+        if (!model.computeModelCoefficients(samples, plane))
+            continue;
+        const std::size_t count = model.countWithinDistance(plane, options.tolerance_m);
+        if (count <= bestCount)
+            continue;
+        best = plane;
+        bestCount = count;
+        const double allInliers = std::pow(static_cast<double>(count) / static_cast<double>(pointCount), 3);
+        needed = std::log(1.0 - kConfidence) / std::log(std::max(1.0 - allInliers, 1e-12));
+    }
+    pcl::Indices inliers;
+    if (bestCount > 0)
+        model.selectWithinDistance(best, options.tolerance_m, inliers);
+    return inliers;
+}
 
 /// Total least squares over some of the points. @return false when they are collinear.
 bool fitToInliers(std::span<const Eigen::Vector3f> points, PlaneFit& plane)
@@ -85,18 +134,10 @@ std::optional<PlaneFit> fitPlane(std::span<const Eigen::Vector3f> points, const 
     cloud->reserve(points.size());
     for (const Eigen::Vector3f& p : points)
         cloud->emplace_back(p.x() - reference.x(), p.y() - reference.y(), p.z() - reference.z());
-    const auto model = std::make_shared<SeededPlaneModel>(cloud, options.seed);
-    pcl::RandomSampleConsensus<pcl::PointXYZ> consensus(model, options.tolerance_m);
-    consensus.setMaxIterations(options.trials);
-    consensus.setProbability(0.9999);
-    consensus.setNumberOfThreads(-1);  // serial: the draws' order then is the same everywhere
-    if (!consensus.computeModel())
-        return std::nullopt;
-    pcl::Indices found;
-    consensus.getInliers(found);
+    PlaneModel model(cloud, options.seed);
 
     PlaneFit plane;
-    for (const auto i : found)
+    for (const auto i : drawPlane(model, points.size(), options))
         plane.inliers.push_back(static_cast<std::size_t>(i));
     for (int round = 0; round < kRefineRounds; ++round)
     {

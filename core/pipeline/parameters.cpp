@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <type_traits>
 
@@ -54,8 +55,11 @@ std::optional<double> parseValue(const ParameterInfo& info, std::string_view tex
 
 std::string numberText(double value)
 {
-    char buffer[32];
-    const auto result = std::to_chars(std::begin(buffer), std::end(buffer), value);
+    // 100000 rather than 1e+05; a plain one has at most 9 digits before the point and 21 after.
+    char buffer[40];
+    const bool isPlain = std::abs(value) >= 1e-4 && std::abs(value) < 1e9;
+    const auto result = isPlain ? std::to_chars(std::begin(buffer), std::end(buffer), value, std::chars_format::fixed)
+                                : std::to_chars(std::begin(buffer), std::end(buffer), value);
     return {buffer, result.ptr};
 }
 
