@@ -2,10 +2,12 @@
 #pragma once
 
 #include "core/base/context.h"
+#include "core/cloud/cell_index.h"
 #include "core/cloud/surface_cells.h"
 #include "core/levels/levels.h"
 #include "core/model/building.h"
 
+#include <set>
 #include <vector>
 
 namespace s2b
@@ -30,14 +32,19 @@ struct OpeningResult
     std::vector<Diagnostic> diagnostics;
 };
 
-/// Finds the doors or windows of one storey in its walls from their labelled points (D3.6, 3.5).
+/// Finds the doors, windows and plain openings of one storey in its walls (D3.6, 3.5).
 ///
-/// Two steps as in D3.6: points inside a wall's body say that it hosts one and give its outline (leaves stand open outside
-/// it, linings lie on the faces: neither is the hole); only then the points around the wall are looked at, for the leaf.
+/// Two ways, the first wins where both see a hole:
+/// - From labels, in D3.6's two steps: points inside a wall's body say that it hosts a door or window, and give its outline
+///   (leaves stand open outside it, linings lie on the faces: neither is the hole); only then the points around the wall are
+///   looked at, for the leaf.
+/// - From the void in the wall's faces, where the floor runs through or jambs were seen: an open or removed leaf leaves
+///   nothing else (D3.6, 3.5, leaves these out). Nothing seen is not open.
+/// @param index  of the storey's cells
 /// @param walls  of this storey
-/// @param kind   Door or Window
-[[nodiscard]] OpeningResult findOpenings(const SurfaceCells& cells, const Level& level, const std::vector<Wall>& walls,
-                                         OpeningKind kind, std::uint32_t& nextId, const OpeningParams& params,
-                                         const Context& context);
+/// @param kinds  what is asked for
+[[nodiscard]] OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, const Level& level,
+                                         const std::vector<Wall>& walls, const std::set<OpeningKind>& kinds,
+                                         std::uint32_t& nextId, const OpeningParams& params, const Context& context);
 
 }  // namespace s2b

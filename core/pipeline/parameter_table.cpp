@@ -56,6 +56,7 @@ const std::vector<ParameterInfo>& parameterTable()
         row<&P::walls, &WallParams::minimumLength_m>("walls.minimumLength", "m", 0.05, 10, "Shorter walls are dropped.", "D3.6, 6.2 (dimension threshold); value: practice"),
         row<&P::walls, &WallParams::minimumHeight_m>("walls.minimumHeight", "m", 0.1, 10, "Lower walls are dropped.", "D3.6, 6.2 (dimension threshold); value: practice, a parapet stays"),
         row<&P::walls, &WallParams::mergeGap_m>("walls.mergeGap", "m", 0, 5, "Largest gap between collinear pieces of one wall.", "D3.6, 3.4.4 and 6.2 (merging); value: practice"),
+        row<&P::walls, &WallParams::mergeUnseen_m>("walls.mergeUnseen", "m", 0, 20, "Largest hidden gap that collinear pieces are joined across, each longer than it.", "practice: a cupboard or a stair in front of a wall"),
         row<&P::walls, &WallParams::mergeOffset_m>("walls.mergeOffset", "m", 0, 0.5, "Largest sideways offset between collinear pieces of one wall.", "D3.6, 3.4.4 and 6.2 (merging); value: practice"),
         row<&P::walls, &WallParams::closeGap_m>("walls.closeGap", "m", 0, 5, "Largest gap that is closed at a corner.", "D3.6, 3.4.4 and 6.2 (closing); value: practice"),
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pipeline/pipeline.h"
 
+#include "core/cloud/cell_index.h"
 #include "core/cloud/clutter.h"
 #include "core/cloud/frame.h"
 #include "core/cloud/surface_cells.h"
@@ -70,14 +71,20 @@ Building reconstruct(const CloudView& cloud, const PipelineOptions& options, con
         if (options.stages.contains(Stage::Walls))
         {
             context.report(std::format("Walls of {}", building.storeys[i].name), stageFraction(0.0));
-            WallResult walls = findWalls(cells, level, storey, nextId, p.walls, context);
-            for (const auto& [stage, kind] : {std::pair(Stage::Doors, OpeningKind::Door), std::pair(Stage::Windows, OpeningKind::Window)})
+            const CellIndex index(cells, level.floor_m - 0.2, level.ceiling_m + 0.4);
+            WallResult walls = findWalls(cells, index, level, storey, nextId, p.walls, context);
+            std::set<OpeningKind> kinds;
+            for (const auto& [stage, kind] : {std::pair(Stage::Doors, OpeningKind::Door), std::pair(Stage::Windows, OpeningKind::Window),
+                                              std::pair(Stage::Openings, OpeningKind::Plain)})
                 if (options.stages.contains(stage))
-                {
-                    OpeningResult openings = findOpenings(cells, level, walls.walls, kind, nextId, p.openings, context);
-                    append(building.openings, std::move(openings.openings));
-                    append(building.diagnostics, std::move(openings.diagnostics));
-                }
+                    kinds.insert(kind);
+            if (!kinds.empty())
+            {
+                context.report(std::format("Openings of {}", building.storeys[i].name), stageFraction(0.6));
+                OpeningResult openings = findOpenings(cells, index, level, walls.walls, kinds, nextId, p.openings, context);
+                append(building.openings, std::move(openings.openings));
+                append(building.diagnostics, std::move(openings.diagnostics));
+            }
             append(building.walls, std::move(walls.walls));
             append(building.junctions, std::move(walls.junctions));
             append(building.diagnostics, std::move(walls.diagnostics));

@@ -291,7 +291,7 @@ std::vector<Face> gather(const std::vector<Line>& lines, const SurfaceCells& cel
 /// Distance from the face to the first seen floor or ceiling on each side: the room is on the nearer one.
 int roomSide(const Face& face, const PlanMask& mask, PlanMask::Layer layer)
 {
-    constexpr double reach = 0.5, step = 0.01;
+    constexpr double reach = 0.7, step = 0.01;
     std::array<std::vector<double>, 2> distances;
     const int samples = std::max(1, static_cast<int>((face.length() - 0.1) / 0.08));
     for (int i = 0; i < samples; ++i)
@@ -311,11 +311,16 @@ int roomSide(const Face& face, const PlanMask& mask, PlanMask::Layer layer)
         return v[v.size() / 2];
     };
     const double left = median(distances[0]), right = median(distances[1]);
-    if (left >= reach && right >= reach)
+    const double near = std::min(left, right);
+    if (near >= reach || std::abs(left - right) < 0.025)
         return 0;
-    if (std::abs(left - right) < 0.025)
+    // Free space begins at the face on the room's side. Where it begins further away, the wall's own body lies between
+    // (the outer face of an external wall): the face looks the other way.
+    constexpr double touching = 0.10;
+    if (near > touching && std::max(left, right) < reach)
         return 0;
-    return left < right ? 1 : -1;
+    const int nearSide = left < right ? 1 : -1;
+    return near <= touching ? nearSide : -nearSide;
 }
 
 }  // namespace
@@ -345,7 +350,7 @@ std::vector<Face> findFaces(const SurfaceCells& cells, const Level& level, const
     }
     // The same direction for all faces that nearly agree, so that begin, end and offset can be compared.
     for (Line& l : lines)
-        if (l.t.x() < -1e-9 || (std::abs(l.t.x()) <= 1e-9 && l.t.y() < 0))
+        if (l.t.x() + l.t.y() < 0)  // directions in [-45, 135) degrees: both axes are far from the seam
         {
             l.t = -l.t;
             l.offset = -l.offset;

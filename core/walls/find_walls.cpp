@@ -77,15 +77,15 @@ int externalOf(const WallBody& body, const PlanMask& mask)
 
 }  // namespace
 
-WallResult findWalls(const SurfaceCells& cells, const Level& level, ElementId storey, std::uint32_t& nextId,
-                     const WallParams& params, const Context& context)
+WallResult findWalls(const SurfaceCells& cells, const CellIndex& index, const Level& level, ElementId storey,
+                     std::uint32_t& nextId, const WallParams& params, const Context& context)
 {
     WallResult result;
     const PlanMask mask(cells, level);
     std::vector<Face> faces = findFaces(cells, level, mask, params, context);
     alignFaces(faces);
     std::vector<WallBody> bodies = pairFaces(faces, mask, params);
-    settleThickness(bodies, cells, level, mask, params);
+    settleThickness(bodies, cells, index, level, mask, params);
     bodies = mergeBodies(std::move(bodies), mask, params);
     context.checkCancelled();
     const Plan plan = connectWalls(std::move(bodies), mask, params);
@@ -97,7 +97,7 @@ WallResult findWalls(const SurfaceCells& cells, const Level& level, ElementId st
         const double top = measuredTop(p.body, faces, level);
         const bool reachesCeiling = top > level.ceiling_m - 0.35;
         const double height = (reachesCeiling ? level.ceiling_m : top) - level.floor_m;
-        if (height < params.minimumHeight_m)
+        if (height < params.minimumHeight_m || p.axisEnd - p.axisBegin < 0.5 * params.minimumLength_m || p.body.end - p.body.begin < 0.5 * params.minimumLength_m)
             continue;
         Wall w;
         w.id = idOf[i] = ElementId{nextId++};

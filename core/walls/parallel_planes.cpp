@@ -21,10 +21,17 @@ void setDirection(Face& f, const Eigen::Vector2d& t)
 {
     const Eigen::Vector2d middle = f.at((f.begin + f.end) / 2);
     const double half = f.length() / 2;
+    const Eigen::Vector2d before = f.t;
     f.t = t;
     f.offset = f.n().dot(middle);
+    const bool reversed = t.dot(before) < 0;
     f.begin = t.dot(middle) - half;
     f.end = t.dot(middle) + half;
+    if (reversed)
+    {
+        f.side = -f.side;
+        std::reverse(f.rows.begin(), f.rows.end());
+    }
 }
 
 /// Two faces that look away from each other, and where along them.

@@ -22,31 +22,32 @@ void setThickness(WallBody& b, double thickness)
 }
 
 /// Depths behind the face of a one-sided body at which opening surfaces (jambs, sills, heads, frames, panes) were seen.
-std::optional<double> revealDepth(const WallBody& body, const SurfaceCells& cells, const Level& level, const WallParams& params)
+std::optional<double> revealDepth(const WallBody& body, const SurfaceCells& cells, const CellIndex& index, const Level& level, const WallParams& params)
 {
     const double face = body.lowSeen ? body.low : body.high, sign = body.lowSeen ? 1.0 : -1.0;
     const Eigen::Vector2d n = body.n();
     constexpr double bin = 0.01;
     std::vector<double> histogram(static_cast<std::size_t>(params.maximumThickness_m / bin) + 2, 0.0);
     double total = 0;
-    for (const SurfaceCell& c : cells.cells)
+    const auto look = [&](const SurfaceCell& c)
     {
         const double z = static_cast<double>(c.position.z());
         if (z < level.floor_m + 0.15 || z > level.ceiling_m - 0.1 || c.normal.isZero())
-            continue;
+            return;
         const Eigen::Vector2d p = c.position.head<2>().cast<double>();
         const double depth = sign * (n.dot(p) - face), s = body.t.dot(p);
         if (depth < 0.03 || depth > params.maximumThickness_m || s < body.begin + 0.1 || s > body.end - 0.1)
-            continue;
+            return;
         if (cells.hasLabels && c.label != Label::Window && c.label != Label::Door && c.label != Label::Wall)
-            continue;
+            return;
         // Surfaces across the wall: jambs, sills, heads; and window frames and panes whatever their direction.
         const double across = std::abs(n.x() * static_cast<double>(c.normal.x()) + n.y() * static_cast<double>(c.normal.y()));
         if (across > 0.3 && !(cells.hasLabels && c.label == Label::Window))
-            continue;
+            return;
         histogram[static_cast<std::size_t>(depth / bin)] += 1;
         total += 1;
-    }
+    };
+    index.near(body.t * body.begin + n * face, body.t * body.end + n * face, params.maximumThickness_m, look);
     const double area = total * cells.size_m * cells.size_m;
     if (area < 0.08)
         return std::nullopt;
@@ -78,7 +79,7 @@ double weightedMedian(std::vector<std::pair<double, double>> values)
 
 }  // namespace
 
-void settleThickness(std::vector<WallBody>& bodies, const SurfaceCells& cells, const Level& level, const PlanMask& mask,
+void settleThickness(std::vector<WallBody>& bodies, const SurfaceCells& cells, const CellIndex& index, const Level& level, const PlanMask& mask,
                      const WallParams& params)
 {
     std::vector<WallBody*> open;
@@ -120,7 +121,7 @@ void settleThickness(std::vector<WallBody>& bodies, const SurfaceCells& cells, c
     std::vector<WallBody*> externalOpen, internalOpen;
     for (WallBody* b : open)
     {
-        const std::optional<double> depth = revealDepth(*b, cells, level, params);
+        const std::optional<double> depth = revealDepth(*b, cells, index, level, params);
         const bool outside = isExternal(*b);
         if (depth)
         {

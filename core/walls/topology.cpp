@@ -39,12 +39,17 @@ bool isOneWall(const WallBody& a, const WallBody& b, const PlanMask& mask, const
     const double gap = std::max(a.begin, b.begin) - std::min(a.end, b.end);
     if (gap <= 0.05)
         return true;
-    if (gap > params.mergeGap_m + 0.6)
+    if (gap > params.mergeUnseen_m)
         return false;
     const WallBody& first = a.begin < b.begin ? a : b;
     const WallBody& second = a.begin < b.begin ? b : a;
     const WallBody& measured = a.bothSeen() || !b.bothSeen() ? a : b;
-    return freeBetween(measured, first.end + 0.02, second.begin - 0.02, mask) < (gap <= params.mergeGap_m ? 0.4 : 0.1);
+    const double free = freeBetween(measured, first.end + 0.02, second.begin - 0.02, mask);
+    if (gap <= params.mergeGap_m)
+        return free < 0.4;
+    // A longer gap was hidden, not open: nothing seen in it, and the pieces are long and agree closely.
+    return free < 0.03 && gap < a.end - a.begin && gap < b.end - b.begin &&
+           (!sameFace || std::min(std::abs(a.low - b.low), std::abs(a.high - b.high)) < 0.5 * params.mergeOffset_m);
 }
 
 void absorb(WallBody& a, const WallBody& b)

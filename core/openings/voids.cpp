@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/openings/wall_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace s2b
+{
+namespace
+{
+
+/// Which squares of a wall's faces were seen; both faces together, as a hole is missing in both.
+class FaceRaster
+{
+public:
+    FaceRaster(const WallView& view)
+        : m_step(std::max(0.04, 1.5 * view.cell_m)), m_begin(view.wall->bodyStart_m),
+          m_columns(std::max(1, static_cast<int>(std::ceil((view.wall->bodyEnd_m - m_begin) / m_step)))),
+          m_rows(std::max(1, static_cast<int>(std::ceil(view.wall->height.value_m / m_step)))),
+          m_covered(static_cast<std::size_t>(m_columns) * static_cast<std::size_t>(m_rows), 0)
+    {
+        for (const WallPoint& p : view.points)
+        {
+            if (std::abs(std::abs(p.d) - view.half_m) > 0.03 || p.across < 0.7 || (view.hasLabels && p.label != Label::Wall))
+                continue;
+            const int x = static_cast<int>(std::floor((p.s - m_begin) / m_step)), y = static_cast<int>(std::floor(p.z / m_step));
+            if (x >= 0 && x < m_columns && y >= 0 && y < m_rows)
+                m_covered[at(x, y)] = 1;
+        }
+    }
+    [[nodiscard]] int columns() const { return m_columns; }
+    [[nodiscard]] double s(int column) const { return m_begin + m_step * column; }
+    [[nodiscard]] double step() const { return m_step; }
+    /// Height up to which nothing of the faces was seen above 0.1 m; a stray square does not end it.
+    [[nodiscard]] double openUpTo(int column) const
+    {
+        for (int y = static_cast<int>(0.1 / m_step) + 1; y < m_rows; ++y)
+            if (m_covered[at(column, y)] && (y + 1 >= m_rows || m_covered[at(column, y + 1)]))
+                return y * m_step;
+        return m_rows * m_step;
+    }
+
+private:
+    [[nodiscard]] std::size_t at(int x, int y) const
+    {
+        return static_cast<std::size_t>(x) + static_cast<std::size_t>(m_columns) * static_cast<std::size_t>(y);
+    }
+    double m_step, m_begin;
+    int m_columns, m_rows;
+    std::vector<char> m_covered;
+};
+
+double median(std::vector<double>& v)
+{
+    const auto at = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
+    std::nth_element(v.begin(), at, v.end());
+    return *at;
+}
+
+/// Plane of the jamb near s: surface inside the body that looks along the wall.
+std::optional<double> jambNear(const WallView& view, double s, double bottom, double top, double reach)
+{
+    std::vector<double> at;
+    for (const WallPoint& p : view.points)
+        if (p.along > 0.8 && view.isInBody(p, 0.01) && std::abs(p.s - s) < reach && p.z > bottom && p.z < top &&
+            (!view.hasLabels || p.label == Label::Wall || p.label == Label::Door))
+            at.push_back(p.s);
+    if (static_cast<double>(at.size()) * view.cell_m * view.cell_m < 0.02)
+        return std::nullopt;
+    return median(at);
+}
+
+std::optional<double> headNear(const WallView& view, double begin, double end, double z)
+{
+    std::vector<double> at;
+    for (const WallPoint& p : view.points)
+        if (p.upward > 0.8 && view.isInBody(p, 0.005) && p.s > begin && p.s < end && std::abs(p.z - z) < 0.12)
+            at.push_back(p.z);
+    if (static_cast<double>(at.size()) * view.cell_m * view.cell_m < 0.005)
+        return std::nullopt;
+    return median(at);
+}
+
+/// Where the faces end towards the hole: the outermost of their points.
+double faceEdge(const WallView& view, double s, bool holeIsRight, double bottom, double top)
+{
+    std::vector<double> at;
+    for (const WallPoint& p : view.points)
+        if (std::abs(std::abs(p.d) - view.half_m) < 0.03 && p.z > bottom && p.z < top && std::abs(p.s - s) < 0.15 &&
+            (!view.hasLabels || p.label == Label::Wall))
+            at.push_back(holeIsRight ? p.s : -p.s);
+    if (at.size() < 10)
+        return s;
+    const auto high = at.begin() + static_cast<std::ptrdiff_t>(0.97 * static_cast<double>(at.size() - 1));
+    std::nth_element(at.begin(), high, at.end());
+    return holeIsRight ? *high : -*high;
+}
+
+}  // namespace
+
+std::vector<Hole> voidsFromFloor(const WallView& view, const std::function<double(double, double)>& floorSeen,
+                                 double minimumWidth_m, double maximumWidth_m, double minimumHeight_m)
+{
+    std::vector<Hole> holes;
+    if (!view.leftSeen && !view.rightSeen)
+        return holes;
+    const FaceRaster raster(view);
+    for (int c = 0; c < raster.columns();)
+    {
+        if (raster.openUpTo(c) < minimumHeight_m)
+        {
+            ++c;
+            continue;
+        }
+        int e = c, last = c;
+        std::vector<double> tops;
+        for (; e < raster.columns() && e - last <= 1; ++e)
+            if (const double top = raster.openUpTo(e); top >= minimumHeight_m)
+                last = e, tops.push_back(top);
+        Hole h;
+        h.begin = raster.s(c), h.end = raster.s(last + 1);
+        h.top = median(tops);
+        c = last + 1;
+        // At the wall's ends, where another wall takes over, the faces end as well.
+        if (h.begin < view.wall->bodyStart_m + 0.02 || h.end > view.wall->bodyEnd_m - 0.02 || h.width() < minimumWidth_m - 0.1 ||
+            h.width() > maximumWidth_m + 0.1)
+            continue;
+        const double low = 0.2, high = h.top - 0.15;
+        const std::optional<double> left = jambNear(view, h.begin, low, high, 0.12), right = jambNear(view, h.end, low, high, 0.12);
+        // Open is what was seen through: the floor runs on through the wall, or both jambs were seen.
+        if (floorSeen(h.begin + 0.1, h.end - 0.1) < 0.25 && !(left && right))
+            continue;
+        h.begin = left.value_or(faceEdge(view, h.begin, true, low, high));
+        h.end = right.value_or(faceEdge(view, h.end, false, low, high));
+        if (const auto head = headNear(view, h.begin + 0.05, h.end - 0.05, h.top))
+            h.top = *head;
+        if (h.width() >= minimumWidth_m && h.width() <= maximumWidth_m)
+            holes.push_back(h);
+    }
+    return holes;
+}
+
+}  // namespace s2b

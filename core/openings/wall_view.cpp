@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/openings/wall_view.h"
+
+#include <cmath>
+
+namespace s2b
+{
+
+WallView viewWall(const Wall& wall, const SurfaceCells& cells, const CellIndex& index, double reach_m)
+{
+    WallView view;
+    view.wall = &wall;
+    view.half_m = wall.thickness.value_m / 2;
+    view.leftSeen = wall.evidence.faceCoverage[0] > 0.10;
+    view.rightSeen = wall.evidence.faceCoverage[1] > 0.10;
+    view.cell_m = cells.size_m;
+    view.hasLabels = cells.hasLabels;
+    const Eigen::Vector2d t = wall.direction(), n = wall.normal();
+    const double reach = view.half_m + reach_m;
+    index.near(wall.start, wall.end, reach,
+               [&](const SurfaceCell& c)
+               {
+                   const Eigen::Vector2d p = c.position.head<2>().cast<double>() - wall.start;
+                   const double s = t.dot(p), d = n.dot(p), z = static_cast<double>(c.position.z()) - wall.base_m;
+                   if (std::abs(d) > reach || s < wall.bodyStart_m - 0.1 || s > wall.bodyEnd_m + 0.1 || z < -0.1 ||
+                       z > wall.height.value_m + 0.1)
+                       return;
+                   const Eigen::Vector2d m = c.normal.head<2>().cast<double>();
+                   view.points.push_back({s, d, z, std::abs(t.dot(m)), std::abs(n.dot(m)), std::abs(static_cast<double>(c.normal.z())), c.label, c.count});
+               });
+    return view;
+}
+
+}  // namespace s2b
