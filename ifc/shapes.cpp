@@ -239,8 +239,10 @@ Instance Shapes::paint(Instance item, Style style)
     {
         const Colour colour = colourOf(style);
         const Instance rgb = m_builder.add("IfcColourRgb", {{"Red", colour.red}, {"Green", colour.green}, {"Blue", colour.blue}});
-        const Instance shading =
-            m_builder.add("IfcSurfaceStyleShading", {{"SurfaceColour", rgb}, {"Transparency", colour.transparency}});
+        // Rendering rather than its supertype Shading, whose transparency IfcOpenShell, for one, doesn't read.
+        const Instance shading = m_builder.add("IfcSurfaceStyleRendering", {{"SurfaceColour", rgb},
+                                                                            {"Transparency", colour.transparency},
+                                                                            {"ReflectanceMethod", Enumeration{"NOTDEFINED"}}});
         instance = m_builder.add("IfcSurfaceStyle",
                                  {{"Name", colour.name}, {"Side", Enumeration{"BOTH"}}, {"Styles", InstanceList{shading}}});
     }

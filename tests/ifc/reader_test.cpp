@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files of other programs: schemas, units, mapped items, parts of parts, and files that are none.
+#include "core/base/error.h"
+#include "sample_building.h"
+#include "test_files.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace s2b
+{
+namespace
+{
+
+using test::TestFolder;
+
+/// A file with the given data section.
+std::string stepFile(const std::string& schema, const std::string& data)
+{
+    return "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\nFILE_SCHEMA(('" + schema +
+           "'));\nENDSEC;\nDATA;\n" + data + "ENDSEC;\nEND-ISO-10303-21;\n";
+}
+
+/// Millimetres; a wall of 4000 x 300 x 2500 at (1000, 2000, 500) on a storey at 3000, its body a mapped item; a window
+/// that is a part of a curtain wall; a chair in a space.
+const char* const kMillimetreModel = R"(
+#1=IFCCARTESIANPOINT((0.,0.,0.));
+#2=IFCAXIS2PLACEMENT3D(#1,$,$);
+#3=IFCGEOMETRICREPRESENTATIONCONTEXT($,'Model',3,0.01,#2,$);
+#4=IFCSIUNIT(*,.LENGTHUNIT.,.MILLI.,.METRE.);
+#5=IFCUNITASSIGNMENT((#4));
+#6=IFCPERSON($,'x',$,$,$,$,$,$);
+#7=IFCORGANIZATION($,'x',$,$,$);
+#8=IFCPERSONANDORGANIZATION(#6,#7,$);
+#9=IFCAPPLICATION(#7,'1','x','x');
+#10=IFCOWNERHISTORY(#8,#9,$,.ADDED.,$,$,$,0);
+#11=IFCPROJECT('0000000000000000000001',#10,'P',$,$,$,$,(#3),#5);
+#12=IFCCARTESIANPOINT((0.,0.,3000.));
+#13=IFCAXIS2PLACEMENT3D(#12,$,$);
+#14=IFCLOCALPLACEMENT($,#13);
+#15=IFCBUILDINGSTOREY('0000000000000000000002',#10,'Upper',$,$,#14,$,$,.ELEMENT.,3000.);
+#16=IFCCARTESIANPOINT((1000.,2000.,500.));
+#17=IFCAXIS2PLACEMENT3D(#16,$,$);
+#18=IFCLOCALPLACEMENT(#14,#17);
+#19=IFCCARTESIANPOINT((2000.,150.));
+#20=IFCAXIS2PLACEMENT2D(#19,$);
+#21=IFCRECTANGLEPROFILEDEF(.AREA.,$,#20,4000.,300.);
+#22=IFCDIRECTION((0.,0.,1.));
+#23=IFCEXTRUDEDAREASOLID(#21,#2,#22,2500.);
+#24=IFCSHAPEREPRESENTATION(#3,'Body','SweptSolid',(#23));
+#25=IFCREPRESENTATIONMAP(#2,#24);
+#26=IFCCARTESIANTRANSFORMATIONOPERATOR3D($,$,#1,1.,$);
+#27=IFCMAPPEDITEM(#25,#26);
+#28=IFCSHAPEREPRESENTATION(#3,'Body','MappedRepresentation',(#27));
+#29=IFCPRODUCTDEFINITIONSHAPE($,$,(#28));
+#30=IFCWALLSTANDARDCASE('0000000000000000000003',#10,'W',$,$,#18,#29,$);
+#31=IFCCURTAINWALL('0000000000000000000004',#10,'C',$,$,#18,$,$);
+#32=IFCWINDOW('0000000000000000000005',#10,'Pane',$,$,#18,#29,$,$,$);
+#33=IFCRELAGGREGATES('0000000000000000000006',#10,$,$,#31,(#32));
+#34=IFCSPACE('0000000000000000000007',#10,'S',$,$,#14,$,$,.ELEMENT.,.INTERNAL.,$);
+#35=IFCRELAGGREGATES('0000000000000000000008',#10,$,$,#15,(#34));
+#36=IFCFURNISHINGELEMENT('0000000000000000000009',#10,'Chair',$,$,#18,#29,$);
+#37=IFCRELCONTAINEDINSPATIALSTRUCTURE('000000000000000000000A',#10,$,$,(#36),#34);
+#38=IFCRELCONTAINEDINSPATIALSTRUCTURE('000000000000000000000B',#10,$,$,(#30,#31),#15);
+)";
+
+TEST(Reader, MillimetresMappedItemsAndIfc2x3)
+{
+    const TestFolder folder;
+    test::writeText(folder.file("a.ifc"), stepFile("IFC2X3", kMillimetreModel));
+    const auto model = ifc::readIfc(folder.file("a.ifc"));
+    EXPECT_EQ(model.schema, "IFC2X3");
+    ASSERT_EQ(model.storeys.size(), 1U);
+    EXPECT_NEAR(model.storeys[0].elevation_m, 3.0, 1e-9);
+    const auto& wall = test::elementOf(model, "IfcWallStandardCase", "W");
+    EXPECT_NEAR(test::volumeOf(wall), 4.0 * 0.3 * 2.5, 1e-6);
+    EXPECT_LT((test::boxOf(wall).low - Eigen::Vector3d(1.0, 2.0, 3.5)).norm(), 1e-6);
+    EXPECT_EQ(wall.storeyGuid, model.storeys[0].guid);
+}
+
+TEST(Reader, PartsAreOnTheStoreyOfTheirWholeAndKnowIt)
+{
+    const TestFolder folder;
+    test::writeText(folder.file("a.ifc"), stepFile("IFC2X3", kMillimetreModel));
+    const auto model = ifc::readIfc(folder.file("a.ifc"));
+    const auto& pane = test::elementOf(model, "IfcWindow", "Pane");
+    EXPECT_EQ(pane.storeyGuid, model.storeys[0].guid);
+    EXPECT_EQ(pane.hostGuid, "0000000000000000000004");
+    EXPECT_EQ(test::elementOf(model, "IfcFurnishingElement", "Chair").storeyGuid, model.storeys[0].guid);
+}
+
+TEST(Reader, ReadsTheSameTwice)
+{
+    const TestFolder folder;
+    ifc::writeIfc(test::sampleBuilding(), folder.file("a.ifc"), {});
+    const auto a = ifc::readIfc(folder.file("a.ifc"));
+    const auto b = ifc::readIfc(folder.file("a.ifc"));
+    EXPECT_TRUE(a.withoutMesh.empty());
+    ASSERT_EQ(a.elements.size(), b.elements.size());
+    for (std::size_t i = 0; i < a.elements.size(); ++i)
+    {
+        EXPECT_EQ(a.elements[i].guid, b.elements[i].guid);
+        EXPECT_EQ(a.elements[i].vertices, b.elements[i].vertices);
+        EXPECT_EQ(a.elements[i].triangles, b.elements[i].triangles);
+    }
+}
+
+TEST(Reader, TellsGlassFromFrame)
+{
+    const auto model = test::roundTrip(test::sampleBuilding());
+    const auto& window = test::elementOf(model, "IfcWindow", "Window 34");
+    ASSERT_EQ(window.triangleIsTransparent.size(), window.triangles.size());
+    const auto glass = std::count(window.triangleIsTransparent.begin(), window.triangleIsTransparent.end(), true);
+    EXPECT_EQ(glass, 12) << "the pane is a box";
+    EXPECT_GT(static_cast<std::ptrdiff_t>(window.triangles.size()), glass);
+}
+
+std::string errorOf(const std::string& path)
+{
+    try
+    {
+        (void)ifc::readIfc(path);
+    }
+    catch (const Error& e)
+    {
+        EXPECT_EQ(e.code(), ErrorCode::BadFile);
+        EXPECT_NE(std::string(e.what()).find(path), std::string::npos) << e.what();
+        return e.what();
+    }
+    ADD_FAILURE() << "no error for " << path;
+    return {};
+}
+
+TEST(Reader, BadFilesGetOneSentence)
+{
+    const TestFolder folder;
+    const auto file = [&](const char* name, const std::string& text)
+    {
+        test::writeText(folder.file(name), text);
+        return folder.file(name);
+    };
+    ifc::writeIfc(test::sampleBuilding(), folder.file("whole.ifc"), {});
+    const std::string whole = test::readText(folder.file("whole.ifc"));
+    const auto expect = [&](const std::string& path, const char* reason)
+    { EXPECT_NE(errorOf(path).find(reason), std::string::npos) << path; };
+    expect(folder.file("missing.ifc"), "does not exist");
+    expect(folder.file(""), "does not exist");
+    expect(file("empty.ifc", ""), "empty");
+    expect(file("text.ifc", "hello, this is no IFC file\n"), "not an IFC");
+    expect(file("half.ifc", whole.substr(0, whole.size() / 2)), "truncated");
+    expect(file("nothing.ifc", stepFile("IFC4", "")), "no geometry");
+    expect(file("other.ifc", stepFile("AP214", "#1=CARTESIAN_POINT('',(0.,0.,0.));\n")), "schema");
+    Building bare;
+    ifc::writeIfc(bare, folder.file("bare.ifc"), {});
+    expect(folder.file("bare.ifc"), "no geometry");
+}
+
+}  // namespace
+}  // namespace s2b
