@@ -30,16 +30,16 @@ namespace s2b
 		};
 		// Calm, told apart by hue and lightness also by the colour blind.
 		const std::array<ClassStyle, 7> kStyles{{
-		    {ElementClass::Wall, "Wall", "Walls", {232, 220, 200}},
-		    {ElementClass::Door, "Door", "Doors", {196, 118, 60}},
-		    {ElementClass::Window, "Window", "Windows", {110, 180, 220}},
-		    {ElementClass::Opening, "Opening", "Openings", {150, 190, 130}},
-		    {ElementClass::Column, "Column", "Columns", {190, 90, 90}},
-		    {ElementClass::Slab, "Slab", "Slabs", {150, 155, 165}},
-		    {ElementClass::Space, "Space", "Spaces", {170, 210, 190}},
+		    {ElementClass::Wall, "Wall", "Walls", ccColor::Rgb(232, 220, 200)},
+		    {ElementClass::Door, "Door", "Doors", ccColor::Rgb(196, 118, 60)},
+		    {ElementClass::Window, "Window", "Windows", ccColor::Rgb(110, 180, 220)},
+		    {ElementClass::Opening, "Opening", "Openings", ccColor::Rgb(150, 190, 130)},
+		    {ElementClass::Column, "Column", "Columns", ccColor::Rgb(190, 90, 90)},
+		    {ElementClass::Slab, "Slab", "Slabs", ccColor::Rgb(150, 155, 165)},
+		    {ElementClass::Space, "Space", "Spaces", ccColor::Rgb(170, 210, 190)},
 		}};
-		const ccColor::Rgb kLevelColor{120, 160, 210};
-		const ccColor::Rgb kAxisColor{200, 60, 60};
+		const ccColor::Rgb kLevelColor(120, 160, 210);
+		const ccColor::Rgb kAxisColor(200, 60, 60);
 
 		const ClassStyle& styleOf(ElementClass kind)
 		{
@@ -211,15 +211,15 @@ namespace s2b
 	std::unique_ptr<ccHObject> makeTree(const Building& building, const ccShiftedObject& reference, const QString& name)
 	{
 		auto root = std::make_unique<ccHObject>(name);
-		root->setMetaData(kBuildingKey, QVariantMap{{"text", buildingText(building)}});
+		root->setMetaData(QString(kBuildingKey), QVariantMap{{"text", buildingText(building)}});
 
 		std::vector<NamedMesh> meshes = makeMeshes(building, reference);
 		for (const Storey& storey : building.storeys)
 		{
 			auto* group = new ccHObject(QString::fromStdString(storey.name));
 			root->addChild(group);
-			group->setMetaData("Elevation", QString::number(building.frame.origin.z() + storey.elevation_m, 'f', 3) + " m");
-			group->setMetaData("Height", QString::number(storey.height.value_m, 'f', 3) + " m");
+			group->setMetaData("Elevation", QString("%1 m").arg(building.frame.origin.z() + storey.elevation_m, 0, 'f', 3));
+			group->setMetaData("Height", QString("%1 m").arg(storey.height.value_m, 0, 'f', 3));
 			if (auto plane = makeLevelPlane(building, reference, storey))
 				group->addChild(plane.release());
 			for (NamedMesh& element : meshes)

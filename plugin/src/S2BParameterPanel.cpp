@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <QWheelEvent>
 
 #include <algorithm>
 
@@ -39,7 +40,7 @@ namespace
 		return ' ' + fromStd(info.unit).replace("m2", QString::fromUtf8("m²"));
 	}
 
-	QString toolTip(const s2b::ParameterInfo& info)
+	QString helpText(const s2b::ParameterInfo& info)
 	{
 		const QString range = info.isSwitch() ? QString() : QString("<br>From %1 to %2%3.").arg(info.minimum).arg(info.maximum).arg(unitSuffix(info));
 		return QString("<p><b>%1</b><br>%2%3<br><i>Default: %4</i></p>").arg(fromStd(info.name), fromStd(info.help).toHtmlEscaped(), range, fromStd(info.source).toHtmlEscaped());
@@ -105,7 +106,7 @@ void S2BParameterPanel::addRow(QGridLayout& grid, const s2b::ParameterInfo& info
 	reset->setText(QString::fromUtf8("↺"));
 	reset->setAutoRaise(true);
 	reset->setToolTip(QString("Back to the default, %1%2").arg(fallback).arg(unitSuffix(info)));
-	label->setToolTip(toolTip(info));
+	label->setToolTip(helpText(info));
 
 	const auto showReset = [this, reset, fallback, &info]
 	{ reset->setEnabled(info.value(m_parameters) != fallback); };
@@ -149,7 +150,7 @@ void S2BParameterPanel::addRow(QGridLayout& grid, const s2b::ParameterInfo& info
 		        { box->setValue(fallback); });
 	}
 	editor->setObjectName(fromStd(info.name));
-	editor->setToolTip(toolTip(info));
+	editor->setToolTip(helpText(info));
 	grid.addWidget(label, row, 0);
 	grid.addWidget(editor, row, 1);
 	grid.addWidget(reset, row, 2);

@@ -33,7 +33,7 @@ namespace s2b
 		void addEvidence(QVariantMap& map, const Evidence& evidence, bool isWall)
 		{
 			map["Evidence: points"] = static_cast<qulonglong>(evidence.points);
-			map["Evidence: RMS"]    = QString::number(1000.0 * evidence.rms_m, 'f', 1) + " mm";
+			map["Evidence: RMS"]    = QString(QString::number(1000.0 * evidence.rms_m, 'f', 1) + " mm");
 			map["Evidence: labels"] = percent(evidence.labelShare);
 			if (isWall)
 			{
@@ -73,11 +73,11 @@ namespace s2b
 			QVariantMap   map;
 			const QString origin = " (" + provenanceText(column.sectionProvenance) + ')';
 			if (const auto* circle = std::get_if<CircleSection>(&column.section))
-				map["Diameter"] = metres(2.0 * circle->radius_m) + origin;
+				map["Diameter"] = QString(metres(2.0 * circle->radius_m) + origin);
 			else
 			{
 				const auto& box = std::get<RectangleSection>(column.section);
-				map["Section"]  = metres(box.width_m) + " x " + metres(box.depth_m) + origin;
+				map["Section"]  = QString(metres(box.width_m) + " x " + metres(box.depth_m) + origin);
 			}
 			map["Height"] = text(column.height);
 			addEvidence(map, column.evidence, false);
@@ -96,7 +96,7 @@ namespace s2b
 		QVariantMap spaceProperties(const Space& space)
 		{
 			QVariantMap map;
-			map["Area"]   = QString::number(space.area_m2, 'f', 2) + " m2";
+			map["Area"]   = QString(QString::number(space.area_m2, 'f', 2) + " m2");
 			map["Height"] = text(space.height);
 			map["Walls"]  = static_cast<qulonglong>(space.boundedBy.size());
 			return map;
