@@ -113,22 +113,22 @@ public:
     /// Calls visit(cell, first, last) for every cell and each range [first, last) of cells in its reach, itself
     /// included.
     ///
-    /// Cells that differ in the last axis alone are neighbours in the sorted order, so the reach is kRows ranges; each
-    /// moves on monotonically with the cell: no hash table, no search.
+    /// Cells that differ in the last axis alone are neighbours in the sorted order, so the reach is one range for each
+    /// row of the other axes, and each moves on monotonically with the cell: no hash table, no search. Near rows come
+    /// first: most questions end there.
     template <class Visit>
     void forEachNeighbourRange(Visit visit) const
     {
-        constexpr std::size_t kRows = kDim == 2 ? 5 : 25;
-        std::array<std::uint32_t, kRows> first{};
-        std::array<std::uint32_t, kRows> last{};
+        const std::vector<Key> rows = rowsByDistance();
+        std::vector<std::uint32_t> first(rows.size(), 0);
+        std::vector<std::uint32_t> last(rows.size(), 0);
         for (std::uint32_t cell = 0; cell < cellCount(); ++cell)
         {
-            for (std::size_t row = 0; row < kRows; ++row)
+            for (std::size_t row = 0; row < rows.size(); ++row)
             {
                 Key low = m_keys[cell];
-                low[0] += std::int32_t(row % 5) - kReach;
-                if constexpr (kDim == 3)
-                    low[1] += std::int32_t(row / 5) - kReach;
+                for (std::size_t d = 0; d < low.size(); ++d)
+                    low[d] += rows[row][d];
                 Key high = low;
                 low.back() -= kReach;
                 high.back() += kReach;
@@ -144,6 +144,26 @@ public:
     }
 
 private:
+    /// The offsets of the reach along all axes but the last.
+    static std::vector<Key> rowsByDistance()
+    {
+        std::vector<Key> rows;
+        for (std::int32_t x = -kReach; x <= kReach; ++x)
+        {
+            if constexpr (kDim == 2)
+                rows.push_back({x, 0});
+            else
+            {
+                for (std::int32_t y = -kReach; y <= kReach; ++y)
+                    rows.push_back({x, y, 0});
+            }
+        }
+        const auto distance2 = [](const Key& row)
+        { return std::inner_product(row.begin(), row.end(), row.begin(), std::int32_t{0}); };
+        std::ranges::stable_sort(rows, {}, distance2);
+        return rows;
+    }
+
     std::vector<Key> m_keys;
     std::vector<std::uint32_t> m_begin;  ///< of each cell in m_points, and the end
     std::vector<Point> m_points;         ///< sorted by cell, then by index
@@ -177,6 +197,14 @@ private:
         return (m_grid.point(a) - m_grid.point(b)).squaredNorm() <= m_eps2;
     }
 
+    [[nodiscard]] std::uint32_t countNear(std::uint32_t p, std::uint32_t cell) const
+    {
+        std::uint32_t count = 0;
+        for (std::uint32_t q = m_grid.begin(cell); q < m_grid.end(cell); ++q)
+            count += near(p, q) ? 1 : 0;
+        return count;
+    }
+
     void findCorePoints()
     {
         std::vector<std::uint32_t> neighbours(m_grid.pointCount());
@@ -185,11 +213,15 @@ private:
             {
                 if (m_grid.size(cell) >= m_minPoints)
                     return;  // all of them are core points
-                for (std::uint32_t p = m_grid.begin(cell); p < m_grid.end(cell); ++p)
+                for (std::uint32_t other = first; other < last; ++other)
                 {
-                    const std::uint32_t end = m_grid.begin(last);
-                    for (std::uint32_t q = m_grid.begin(first); q < end && neighbours[p] < m_minPoints; ++q)
-                        neighbours[p] += near(p, q) ? 1 : 0;
+                    for (std::uint32_t p = m_grid.begin(cell); p < m_grid.end(cell); ++p)
+                    {
+                        if (other == cell)
+                            neighbours[p] += m_grid.size(cell);
+                        else if (neighbours[p] < m_minPoints)
+                            neighbours[p] += countNear(p, other);
+                    }
                 }
             });
         m_isCore.resize(m_grid.pointCount());
