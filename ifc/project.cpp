@@ -19,11 +19,10 @@ Model::Model(const Building& building, const WriteOptions& options)
     for (const Opening& opening : building.openings)
         m_openingsOf[opening.host].push_back(&opening);
     for (const Diagnostic& diagnostic : building.diagnostics)
-        if (diagnostic.element.value != 0)
-        {
-            std::string& remarks = m_remarks[diagnostic.element];
-            remarks += (remarks.empty() ? "" : "; ") + diagnostic.text;
-        }
+    {
+        std::string& remarks = m_remarks[diagnostic.element];  // id 0: of the building as a whole
+        remarks += (remarks.empty() ? "" : "; ") + diagnostic.text;
+    }
 
     const Instance project = m_builder.add("IfcProject", {{"GlobalId", guid("project")},
                                                           {"Name", options.projectName},
@@ -103,6 +102,8 @@ void Model::addSite(Instance project)
                                                             {"ObjectPlacement", m_buildingPlacement},
                                                             {"CompositionType", Enumeration{"ELEMENT"}},
                                                             {"ElevationOfRefHeight", frame.origin.z()}});
+    if (m_remarks.contains(ElementId{}))
+        addEvidence(building, "building", ElementId{}, nullptr, {});
     aggregate("project", project, {site});
     aggregate("site", site, {building});
 

@@ -136,8 +136,9 @@ void Model::addWall(const Wall& wall)
                                         {"Width", QuantityKind::Length, geometry.thickness_m()}};
     if (geometry.hasLevelTop())  // IFC: only where it is the same along the wall
         quantities.push_back({"Height", QuantityKind::Length, wall.height.value_m});
-    quantities.insert(quantities.end(), {{"GrossFootprintArea", QuantityKind::Area, q.grossFootprint_m2},
-                                         {"NetFootprintArea", QuantityKind::Area, q.netFootprint_m2},
+    const bool isIfc4 = m_options.schema == "IFC4";  // the standard changed the spelling
+    quantities.insert(quantities.end(), {{isIfc4 ? "GrossFootprintArea" : "GrossFootPrintArea", QuantityKind::Area, q.grossFootprint_m2},
+                                         {isIfc4 ? "NetFootprintArea" : "NetFootPrintArea", QuantityKind::Area, q.netFootprint_m2},
                                          {"GrossSideArea", QuantityKind::Area, q.grossSide_m2},
                                          {"NetSideArea", QuantityKind::Area, q.netSide_m2},
                                          {"GrossVolume", QuantityKind::Volume, q.grossVolume_m3},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes the sample building: write_sample SCHEMA FILE [EPSG|many]
+// Writes the sample building: write_sample SCHEMA FILE [EPSG|many|empty]
 #include "ifc/ifc_writer.h"
 #include "sample_building.h"
 
@@ -13,7 +13,7 @@ int main(int argc, char** argv)
 {
     if (argc < 3)
     {
-        std::fprintf(stderr, "usage: write_sample SCHEMA FILE [EPSG|many]\n");
+        std::fprintf(stderr, "usage: write_sample SCHEMA FILE [EPSG|many|empty]\n");
         return 2;
     }
     try
@@ -23,9 +23,13 @@ int main(int argc, char** argv)
         options.projectName = "Sample – Beispiel";
         options.parameters = {{"walls.maxThickness", "0.6"}, {"note", std::string(300, 'x')}};
         const std::string mode = argc > 3 ? argv[3] : "";
-        if (!mode.empty() && mode != "many")
-            options.epsg = std::atoi(argv[3]);
-        const s2b::Building building = mode == "many" ? s2b::test::manyWalls(4000) : s2b::test::sampleBuilding();
+        s2b::Building building;
+        if (mode == "many")
+            building = s2b::test::manyWalls(4000);
+        else if (mode != "empty")
+            building = s2b::test::sampleBuilding();
+        if (!mode.empty() && mode != "many" && mode != "empty")
+            options.epsg = std::atoi(mode.c_str());
         const auto start = std::chrono::steady_clock::now();
         s2b::ifc::writeIfc(building, argv[2], options);
         std::printf("%.3f s\n", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
