@@ -57,8 +57,8 @@ struct Builder::Implementation
 {
     explicit Implementation(const std::string& name) : schema(schemaOf(name)) {}
 
-    /// IfcFile::addEntity would also record who refers to whom, which a file that is only written doesn't need and which
-    /// takes most of the time.
+    /// IfcFile::addEntity would also record who refers to whom, which a file that is only written doesn't need and
+    /// which takes most of the time.
     Instance keep(Instance instance)
     {
         instances.emplace_back(instance);
@@ -99,7 +99,8 @@ struct Builder::Implementation
         return instance;
     }
 
-    void set(Instance instance, const EntityInfo& info, std::size_t index, const std::string& where, const Builder::Value& value)
+    void set(Instance instance, const EntityInfo& info, std::size_t index, const std::string& where,
+             const Builder::Value& value)
     {
         std::visit(
             [&](const auto& x)
@@ -162,8 +163,8 @@ Builder::~Builder() = default;
 Instance Builder::add(std::string_view entity, std::span<const Attribute> attributes)
 {
     const EntityInfo& info = m_impl->info(entity);
-    Instance instance =
-        m_impl->keep(m_impl->schema->instantiate(info.entity, IfcEntityInstanceData(storage_t(info.entity->attribute_count()))));
+    Instance instance = m_impl->keep(
+        m_impl->schema->instantiate(info.entity, IfcEntityInstanceData(storage_t(info.entity->attribute_count()))));
     static_cast<IfcUtil::IfcBaseEntity*>(instance)->populate_derived();
     for (const Attribute& attribute : attributes)
     {

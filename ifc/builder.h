@@ -48,9 +48,9 @@ class Builder
 {
 public:
     /// A null Instance or an empty variant leaves an optional attribute unset.
-    using Value = std::variant<std::monostate, Instance, InstanceList, std::string, double, int, bool, Enumeration, TypedValue,
-                               TypedList, std::vector<double>, std::vector<int>, std::vector<std::vector<double>>,
-                               std::vector<std::vector<int>>>;
+    using Value = std::variant<std::monostate, Instance, InstanceList, std::string, double, int, bool, Enumeration,
+                               TypedValue, TypedList, std::vector<double>, std::vector<int>,
+                               std::vector<std::vector<double>>, std::vector<std::vector<int>>>;
     struct Attribute
     {
         const char* name;

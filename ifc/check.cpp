@@ -15,8 +15,8 @@ namespace s2b::ifc
 namespace
 {
 
-constexpr double kSmallest_m = 1e-4;   // below this no viewer's geometry kernel makes a solid
-constexpr double kLargest_m = 1e5;     // of a building's coordinates in its own frame
+constexpr double kSmallest_m = 1e-4;  // below this no viewer's geometry kernel makes a solid
+constexpr double kLargest_m = 1e5;    // of a building's coordinates in its own frame
 
 [[noreturn]] void fail(const std::string& what)
 {
@@ -104,15 +104,20 @@ bool isUtf8(std::string_view text)
     for (std::size_t i = 0; i < text.size();)
     {
         const unsigned first = byte(i);
-        const std::size_t length = first < 0x80U ? 1 : first < 0xC2U ? 0 : first < 0xE0U ? 2 : first < 0xF0U ? 3 : first < 0xF5U ? 4 : 0;
+        const std::size_t length = first < 0x80U   ? 1
+                                   : first < 0xC2U ? 0
+                                   : first < 0xE0U ? 2
+                                   : first < 0xF0U ? 3
+                                   : first < 0xF5U ? 4
+                                                   : 0;
         if (length == 0)
             return false;
         for (std::size_t k = 1; k < length; ++k)
             if ((byte(i + k) & 0xC0U) != 0x80U)
                 return false;
         const unsigned second = byte(i + 1);
-        if ((first == 0xE0U && second < 0xA0U) || (first == 0xEDU && second >= 0xA0U) || (first == 0xF0U && second < 0x90U) ||
-            (first == 0xF4U && second >= 0x90U))
+        if ((first == 0xE0U && second < 0xA0U) || (first == 0xEDU && second >= 0xA0U) ||
+            (first == 0xF0U && second < 0x90U) || (first == 0xF4U && second >= 0x90U))
             return false;
         i += length;
     }
@@ -209,9 +214,11 @@ void checkWritable(const Building& building, const WriteOptions& options)
             throw Error(ErrorCode::BadParameter, "the project name or time stamp is not UTF-8 text; give another");
     for (const auto& [name, value] : options.parameters)
         if (name.empty() || !isUtf8(name) || !isUtf8(value))
-            throw Error(ErrorCode::BadParameter, "parameter \"" + name + "\" can't be recorded in the IFC: it is not UTF-8 text");
+            throw Error(ErrorCode::BadParameter,
+                        "parameter \"" + name + "\" can't be recorded in the IFC: it is not UTF-8 text");
     if (options.epsg && *options.epsg <= 0)
-        throw Error(ErrorCode::BadParameter, "EPSG code " + std::to_string(*options.epsg) + " is not a positive number");
+        throw Error(ErrorCode::BadParameter,
+                    "EPSG code " + std::to_string(*options.epsg) + " is not a positive number");
 
     if (!building.frame.origin.allFinite() || !std::isfinite(building.frame.yaw_rad))
         fail("the building's frame is not finite");
@@ -242,7 +249,8 @@ void checkWritable(const Building& building, const WriteOptions& options)
     {
         all.add(opening.id, "opening");
         if (!walls.has(opening.host))
-            fail(label("opening", opening.id) + " is in wall " + std::to_string(opening.host.value) + ", which does not exist");
+            fail(label("opening", opening.id) + " is in wall " + std::to_string(opening.host.value) +
+                 ", which does not exist");
         checkOpening(opening);
     }
     for (const Column& column : building.columns)
@@ -276,8 +284,8 @@ void checkWritable(const Building& building, const WriteOptions& options)
     }
     for (const Junction& junction : building.junctions)
         if (!walls.has(junction.wallA) || !walls.has(junction.wallB) || junction.wallA == junction.wallB)
-            fail("a junction joins walls " + std::to_string(junction.wallA.value) + " and " + std::to_string(junction.wallB.value) +
-                 ", which are not two existing walls");
+            fail("a junction joins walls " + std::to_string(junction.wallA.value) + " and " +
+                 std::to_string(junction.wallB.value) + ", which are not two existing walls");
     for (const Diagnostic& diagnostic : building.diagnostics)
         checkText(diagnostic.text, "a diagnostic");
 }

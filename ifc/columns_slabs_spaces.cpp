@@ -90,7 +90,8 @@ void Model::addColumns()
         {
             // A circle has no direction of its own.
             const double radius = std::get<CircleSection>(column.section).radius_m;
-            placement = storeyPlacement(column.storey, {origin.x(), origin.y(), column.base_m}, Eigen::Vector2d::UnitX());
+            placement =
+                storeyPlacement(column.storey, {origin.x(), origin.y(), column.base_m}, Eigen::Vector2d::UnitX());
             representation.body = {m_shapes.cylinder(radius, height)};
             area = M_PI * radius * radius;
             perimeter = 2.0 * M_PI * radius;
@@ -134,13 +135,14 @@ void Model::addSlabs()
         representation.footPrint = m_shapes.outlines(outline);
         const Enumeration kind = {slab.kind == SlabKind::Floor ? "FLOOR" : "ROOF"};
         const Instance instance = m_builder.add(
-            "IfcSlab", {{"GlobalId", guid(slabKey)},
-                        {"Name", "Slab " + std::to_string(slab.id.value)},
-                        {"ObjectPlacement", storeyPlacement(slab.storey, {origin.x(), origin.y(), slab.top_m - thickness},
-                                                            Eigen::Vector2d::UnitX())},
-                        {"Representation", m_shapes.shape(representation)},
-                        {"Tag", std::to_string(slab.id.value)},
-                        {"PredefinedType", kind}});
+            "IfcSlab",
+            {{"GlobalId", guid(slabKey)},
+             {"Name", "Slab " + std::to_string(slab.id.value)},
+             {"ObjectPlacement",
+              storeyPlacement(slab.storey, {origin.x(), origin.y(), slab.top_m - thickness}, Eigen::Vector2d::UnitX())},
+             {"Representation", m_shapes.shape(representation)},
+             {"Tag", std::to_string(slab.id.value)},
+             {"PredefinedType", kind}});
         contain(slab.storey, instance);
         m_material.push_back(instance);
         const std::string typeName = (slab.kind == SlabKind::Floor ? "Floor " : "Roof ") + millimetres(thickness);
@@ -173,8 +175,8 @@ void Model::addSpaces()
         const Instance instance = m_builder.add(
             "IfcSpace", {{"GlobalId", guid(spaceKey)},
                          {"Name", space.name},
-                         {"ObjectPlacement",
-                          storeyPlacement(space.storey, {origin.x(), origin.y(), space.floor_m}, Eigen::Vector2d::UnitX())},
+                         {"ObjectPlacement", storeyPlacement(space.storey, {origin.x(), origin.y(), space.floor_m},
+                                                             Eigen::Vector2d::UnitX())},
                          {"Representation", m_shapes.shape(representation)},
                          {"CompositionType", Enumeration{"ELEMENT"}},
                          {"PredefinedType", Enumeration{"INTERNAL"}}});

@@ -78,7 +78,8 @@ Settings settingsOf(const ReadOptions& options)
 }
 
 /// Mesh of an element in metres, its vertices taken to the world.
-void takeMesh(const IfcGeom::TriangulationElement& source, const std::optional<MapConversion>& toMap, MeshElement& element)
+void takeMesh(const IfcGeom::TriangulationElement& source, const std::optional<MapConversion>& toMap,
+              MeshElement& element)
 {
     const auto& mesh = source.geometry();
     const Eigen::Matrix4d transform = source.transformation().data()->ccomponents();
@@ -168,7 +169,8 @@ std::vector<StoreyInfo> readStoreys(IfcParse::IfcFile& file, ifcopenshell::geome
             }
         }
         else
-            storey.elevation_m = attributeNumber(instance, "Elevation").value_or(0.0) * converter.mapping()->get_length_unit();
+            storey.elevation_m =
+                attributeNumber(instance, "Elevation").value_or(0.0) * converter.mapping()->get_length_unit();
         storeys.push_back(std::move(storey));
     }
     std::stable_sort(storeys.begin(), storeys.end(),
@@ -183,7 +185,8 @@ std::vector<std::string> missingMeshes(IfcParse::IfcFile& file, const std::map<i
     for (const char* kind : {"IfcElement"})
         if (const auto instances = file.instances_by_type(kind))
             for (const IfcUtil::IfcBaseClass* instance : *instances)
-                if (attributeInstance(instance, "Representation") != nullptr && !elements.contains(static_cast<int>(instance->id())))
+                if (attributeInstance(instance, "Representation") != nullptr &&
+                    !elements.contains(static_cast<int>(instance->id())))
                     missing[static_cast<int>(instance->id())] = instance->declaration().name() + ' ' + guidOf(instance);
     std::vector<std::string> names;
     for (auto& [id, name] : missing)

@@ -13,10 +13,11 @@ namespace s2b::ifc
 
 struct WriteOptions
 {
-    std::string schema = "IFC4";             ///< IFC4 or IFC4X3_ADD2
-    std::string projectName = "Scan to BIM"; ///< UTF-8; part of the GUIDs' name space
-    std::string timestamp = "1970-01-01T00:00:00";  ///< of the file header; part of the bytes, so the caller's to choose
-    std::optional<int> epsg;                 ///< projected coordinate system of the world coordinates: gives IfcMapConversion
+    std::string schema = "IFC4";              ///< IFC4 or IFC4X3_ADD2
+    std::string projectName = "Scan to BIM";  ///< UTF-8; part of the GUIDs' name space
+    std::string timestamp =
+        "1970-01-01T00:00:00";  ///< of the file header; part of the bytes, so the caller's to choose
+    std::optional<int> epsg;    ///< projected coordinate system of the world coordinates: gives IfcMapConversion
     std::vector<std::pair<std::string, std::string>> parameters;  ///< recorded with the project: name, value
 };
 

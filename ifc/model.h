@@ -62,12 +62,14 @@ private:
     [[nodiscard]] std::string guid(std::string_view role) const;
     [[nodiscard]] static std::string key(const char* kind, ElementId id);
     [[nodiscard]] Instance units();
-    [[nodiscard]] Instance storeyPlacement(ElementId storey, const Eigen::Vector3d& buildingPoint, const Eigen::Vector2d& x);
+    [[nodiscard]] Instance storeyPlacement(ElementId storey, const Eigen::Vector3d& buildingPoint,
+                                           const Eigen::Vector2d& x);
     void addSite(Instance project);
     void addMapConversion(int epsg);
     void aggregate(const std::string& parentKey, Instance parent, const InstanceList& children);
     void contain(ElementId storey, Instance element);
-    void assignType(const std::string& name, const char* entity, const std::vector<Builder::Attribute>& more, Instance object);
+    void assignType(const std::string& name, const char* entity, const std::vector<Builder::Attribute>& more,
+                    Instance object);
     void addMaterial();
 
     /// S2B_Evidence of an element. `evidence` may be null (storeys, spaces).

@@ -11,8 +11,8 @@ namespace s2b::ifc
 namespace
 {
 
-constexpr double kMargin_m = 0.05;         // by which a void is deeper than its wall on each side
-constexpr double kLining_m = 0.05;         // width of a frame's face; generic, like the next three
+constexpr double kMargin_m = 0.05;  // by which a void is deeper than its wall on each side
+constexpr double kLining_m = 0.05;  // width of a frame's face; generic, like the next three
 constexpr double kLeafThickness_m = 0.04;
 constexpr double kWindowDepth_m = 0.08;
 constexpr double kGlassThickness_m = 0.02;
@@ -92,7 +92,8 @@ Model::Placed Model::addVoid(const Opening& opening, const Wall& host)
     const double thickness = geometry.thickness_m();
     const double middle = opening.offset_m + 0.5 * width;
     const Eigen::Vector2d x = geometry.tangent(middle);
-    const Eigen::Vector2d corner = geometry.at(middle, 0.0) - x * (0.5 * width) - Eigen::Vector2d(-x.y(), x.x()) * (0.5 * thickness);
+    const Eigen::Vector2d corner =
+        geometry.at(middle, 0.0) - x * (0.5 * width) - Eigen::Vector2d(-x.y(), x.x()) * (0.5 * thickness);
 
     // An arc bends away from the void's straight box.
     double margin = kMargin_m;
@@ -102,9 +103,11 @@ Model::Placed Model::addVoid(const Opening& opening, const Wall& host)
         margin += radius - std::sqrt(std::max(0.0, radius * radius - 0.25 * width * width));
     }
     Placed hole;
-    hole.placement = m_shapes.placement(m_walls.at(host.id).placement, {corner.x(), corner.y(), opening.sill.value_m}, x);
+    hole.placement =
+        m_shapes.placement(m_walls.at(host.id).placement, {corner.x(), corner.y(), opening.sill.value_m}, x);
     Shapes::Representation representation;
-    representation.body = {m_shapes.box({0.0, -margin, 0.0}, {width, thickness + 2.0 * margin, opening.height.value_m})};
+    representation.body = {
+        m_shapes.box({0.0, -margin, 0.0}, {width, thickness + 2.0 * margin, opening.height.value_m})};
     hole.instance = m_builder.add("IfcOpeningElement", {{"GlobalId", guid(openingKey + "/void")},
                                                         {"Name", "Opening " + std::to_string(opening.id.value)},
                                                         {"ObjectPlacement", hole.placement},
@@ -155,9 +158,9 @@ void Model::addDoor(const Opening& opening, const Wall& host, const Placed& hole
                 m_shapes.box({lining + i * leafWidth, front, 0.0}, {leafWidth, depth, height - lining}), Style::Leaf));
     }
 
-    const Instance placement = swing.isTurned
-                                   ? m_shapes.placement(hole.placement, {width, thickness, 0.0}, -Eigen::Vector2d::UnitX())
-                                   : m_shapes.placement(hole.placement, Eigen::Vector3d::Zero());
+    const Instance placement =
+        swing.isTurned ? m_shapes.placement(hole.placement, {width, thickness, 0.0}, -Eigen::Vector2d::UnitX())
+                       : m_shapes.placement(hole.placement, Eigen::Vector3d::Zero());
     const Instance door = m_builder.add("IfcDoor", {{"GlobalId", guid(openingKey)},
                                                     {"Name", "Door " + std::to_string(opening.id.value)},
                                                     {"ObjectPlacement", placement},
@@ -194,22 +197,23 @@ void Model::addWindow(const Opening& opening, const Wall& host, const Placed& ho
     const double glass = std::min(kGlassThickness_m, 0.5 * depth);
 
     Shapes::Representation representation;
-    representation.body.push_back(
-        m_shapes.paint(m_shapes.plate(rectangle(0.0, 0.0, width, height),
-                                      {rectangle(lining, lining, width - lining, height - lining)}, 0.5 * (thickness - depth), depth),
-                       Style::Frame));
-    representation.body.push_back(m_shapes.paint(m_shapes.box({lining, 0.5 * (thickness - glass), lining},
-                                                              {width - 2.0 * lining, glass, height - 2.0 * lining}),
-                                                 Style::Glass));
-    const Instance window = m_builder.add("IfcWindow", {{"GlobalId", guid(openingKey)},
-                                                        {"Name", "Window " + std::to_string(opening.id.value)},
-                                                        {"ObjectPlacement", m_shapes.placement(hole.placement, Eigen::Vector3d::Zero())},
-                                                        {"Representation", m_shapes.shape(representation)},
-                                                        {"Tag", std::to_string(opening.id.value)},
-                                                        {"OverallHeight", height},
-                                                        {"OverallWidth", width},
-                                                        {"PredefinedType", Enumeration{"WINDOW"}},
-                                                        {"PartitioningType", Enumeration{"NOTDEFINED"}}});
+    representation.body.push_back(m_shapes.paint(
+        m_shapes.plate(rectangle(0.0, 0.0, width, height), {rectangle(lining, lining, width - lining, height - lining)},
+                       0.5 * (thickness - depth), depth),
+        Style::Frame));
+    representation.body.push_back(m_shapes.paint(
+        m_shapes.box({lining, 0.5 * (thickness - glass), lining}, {width - 2.0 * lining, glass, height - 2.0 * lining}),
+        Style::Glass));
+    const Instance window =
+        m_builder.add("IfcWindow", {{"GlobalId", guid(openingKey)},
+                                    {"Name", "Window " + std::to_string(opening.id.value)},
+                                    {"ObjectPlacement", m_shapes.placement(hole.placement, Eigen::Vector3d::Zero())},
+                                    {"Representation", m_shapes.shape(representation)},
+                                    {"Tag", std::to_string(opening.id.value)},
+                                    {"OverallHeight", height},
+                                    {"OverallWidth", width},
+                                    {"PredefinedType", Enumeration{"WINDOW"}},
+                                    {"PartitioningType", Enumeration{"NOTDEFINED"}}});
     m_builder.add("IfcRelFillsElement", {{"GlobalId", guid(openingKey + "/fills")},
                                          {"RelatingOpeningElement", hole.instance},
                                          {"RelatedBuildingElement", window}});

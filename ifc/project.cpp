@@ -11,7 +11,10 @@ namespace s2b::ifc
 {
 
 Model::Model(const Building& building, const WriteOptions& options)
-    : m_building(building), m_options(options), m_builder(options.schema), m_shapes(m_builder),
+    : m_building(building),
+      m_options(options),
+      m_builder(options.schema),
+      m_shapes(m_builder),
       m_properties(m_builder, options.projectName)
 {
     for (const Wall& wall : building.walls)
@@ -24,10 +27,11 @@ Model::Model(const Building& building, const WriteOptions& options)
         remarks += (remarks.empty() ? "" : "; ") + diagnostic.text;
     }
 
-    const Instance project = m_builder.add("IfcProject", {{"GlobalId", guid("project")},
-                                                          {"Name", options.projectName},
-                                                          {"RepresentationContexts", InstanceList{m_shapes.modelContext()}},
-                                                          {"UnitsInContext", units()}});
+    const Instance project =
+        m_builder.add("IfcProject", {{"GlobalId", guid("project")},
+                                     {"Name", options.projectName},
+                                     {"RepresentationContexts", InstanceList{m_shapes.modelContext()}},
+                                     {"UnitsInContext", units()}});
     std::vector<Property> parameters;
     for (const auto& [name, value] : options.parameters)
         parameters.push_back({name, {value.size() < 256 ? "IfcLabel" : "IfcText", value}});
@@ -130,7 +134,8 @@ void Model::addSite(Instance project)
 
 Instance Model::storeyPlacement(ElementId storey, const Eigen::Vector3d& buildingPoint, const Eigen::Vector2d& x)
 {
-    return m_shapes.placement(m_storeys.at(storey).placement, buildingPoint - Eigen::Vector3d(0.0, 0.0, m_elevations.at(storey)), x);
+    return m_shapes.placement(m_storeys.at(storey).placement,
+                              buildingPoint - Eigen::Vector3d(0.0, 0.0, m_elevations.at(storey)), x);
 }
 
 void Model::aggregate(const std::string& parentKey, Instance parent, const InstanceList& children)
@@ -141,7 +146,8 @@ void Model::aggregate(const std::string& parentKey, Instance parent, const Insta
 
 void Model::contain(ElementId storey, Instance element)
 {
-    const auto it = std::find_if(m_containers.begin(), m_containers.end(), [&](const Container& c) { return c.storey == storey; });
+    const auto it =
+        std::find_if(m_containers.begin(), m_containers.end(), [&](const Container& c) { return c.storey == storey; });
     it->elements.push_back(element);
 }
 
@@ -176,7 +182,8 @@ void Model::addEvidence(Instance object, const std::string& elementKey, ElementI
     m_properties.add(object, elementKey, "S2B_Evidence", properties);
 }
 
-void Model::assignType(const std::string& name, const char* entity, const std::vector<Builder::Attribute>& more, Instance object)
+void Model::assignType(const std::string& name, const char* entity, const std::vector<Builder::Attribute>& more,
+                       Instance object)
 {
     const std::string typeKey = std::string(entity) + '/' + name;
     const auto [it, isNew] = m_typeByKey.try_emplace(typeKey, m_types.size());
@@ -195,9 +202,9 @@ void Model::addMaterial()
         return;
     const Instance material = m_builder.add(
         "IfcMaterial", {{"Name", "Not known"}, {"Description", "The scan tells surfaces, not what is behind them"}});
-    m_builder.add("IfcRelAssociatesMaterial", {{"GlobalId", guid("material/elements")},
-                                               {"RelatedObjects", m_material},
-                                               {"RelatingMaterial", material}});
+    m_builder.add(
+        "IfcRelAssociatesMaterial",
+        {{"GlobalId", guid("material/elements")}, {"RelatedObjects", m_material}, {"RelatingMaterial", material}});
 }
 
 void Model::finish()

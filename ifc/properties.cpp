@@ -40,7 +40,11 @@ std::string textOf(const TypedValue& value)
 const char* accuracyBand(double rms_m)
 {
     const double spread = 2.0 * rms_m;
-    return spread <= 0.001 ? "LOA50" : spread <= 0.005 ? "LOA40" : spread <= 0.015 ? "LOA30" : spread <= 0.050 ? "LOA20" : "LOA10";
+    return spread <= 0.001   ? "LOA50"
+           : spread <= 0.005 ? "LOA40"
+           : spread <= 0.015 ? "LOA30"
+           : spread <= 0.050 ? "LOA20"
+                             : "LOA10";
 }
 
 const char* provenanceName(Provenance provenance)
@@ -61,18 +65,19 @@ Instance Properties::single(const Property& property, const std::string& content
 {
     Instance& instance = m_singleByContent[content];
     if (instance == nullptr)
-        instance = property.isEnumerated
-                       ? m_builder.add("IfcPropertyEnumeratedValue",
-                                       {{"Name", property.name}, {"EnumerationValues", TypedList{property.value}}})
-                       : m_builder.add("IfcPropertySingleValue", {{"Name", property.name}, {"NominalValue", property.value}});
+        instance =
+            property.isEnumerated
+                ? m_builder.add("IfcPropertyEnumeratedValue",
+                                {{"Name", property.name}, {"EnumerationValues", TypedList{property.value}}})
+                : m_builder.add("IfcPropertySingleValue", {{"Name", property.name}, {"NominalValue", property.value}});
     return instance;
 }
 
 void Properties::define(const std::string& key, const char* name, const char* entity, const char* listName,
                         const InstanceList& items, const InstanceList& objects)
 {
-    const Instance set =
-        m_builder.add(entity, {{"GlobalId", globalId(m_nameSpace, key + '/' + name)}, {"Name", name}, {listName, items}});
+    const Instance set = m_builder.add(
+        entity, {{"GlobalId", globalId(m_nameSpace, key + '/' + name)}, {"Name", name}, {listName, items}});
     m_builder.add("IfcRelDefinesByProperties", {{"GlobalId", globalId(m_nameSpace, key + "/has/" + name)},
                                                 {"RelatedObjects", objects},
                                                 {"RelatingPropertyDefinition", set}});
@@ -111,7 +116,8 @@ void Properties::addShared(Instance object, const char* name, const std::vector<
     m_sets[it->second].objects.push_back(object);
 }
 
-void Properties::addQuantities(Instance object, const std::string& key, const char* name, const std::vector<Quantity>& quantities)
+void Properties::addQuantities(Instance object, const std::string& key, const char* name,
+                               const std::vector<Quantity>& quantities)
 {
     InstanceList list;
     for (const Quantity& q : quantities)

@@ -33,8 +33,8 @@ struct Quantity
     double value;
 };
 
-/// "LOA30" ...: the band of the USIBD Level of Accuracy specification (v2.0, 2016) in which twice the RMS distance (95 %)
-/// lies: LOA50 up to 1 mm, LOA40 5 mm, LOA30 15 mm, LOA20 50 mm, else LOA10.
+/// "LOA30" ...: the band of the USIBD Level of Accuracy specification (v2.0, 2016) in which twice the RMS distance (95
+/// %) lies: LOA50 up to 1 mm, LOA40 5 mm, LOA30 15 mm, LOA20 50 mm, else LOA10.
 [[nodiscard]] const char* accuracyBand(double rms_m);
 
 /// "Measured", "Assumed", "Corrected".
@@ -52,7 +52,8 @@ public:
     void add(Instance object, const std::string& key, const char* name, const std::vector<Property>& properties);
 
     /// Gives `object`, whose name in the GUIDs is `key`, its quantities.
-    void addQuantities(Instance object, const std::string& key, const char* name, const std::vector<Quantity>& quantities);
+    void addQuantities(Instance object, const std::string& key, const char* name,
+                       const std::vector<Quantity>& quantities);
 
     /// Writes the relations. To be called once, at the end.
     void finish();
@@ -66,8 +67,8 @@ private:
         InstanceList objects;
     };
     Instance single(const Property& property, const std::string& content);
-    void define(const std::string& key, const char* name, const char* entity, const char* listName, const InstanceList& items,
-                const InstanceList& objects);
+    void define(const std::string& key, const char* name, const char* entity, const char* listName,
+                const InstanceList& items, const InstanceList& objects);
 
     Builder& m_builder;
     std::string m_nameSpace;

@@ -99,7 +99,8 @@ Relations::Relations(IfcParse::IfcFile& file)
     collect(file, "IfcRelVoidsElement", "RelatingBuildingElement", "RelatedOpeningElement", m_voided);
 }
 
-void Relations::collect(IfcParse::IfcFile& file, const char* entity, const char* parent, const char* children, Parents& parents)
+void Relations::collect(IfcParse::IfcFile& file, const char* entity, const char* parent, const char* children,
+                        Parents& parents)
 {
     const auto relations = instances(file, entity);
     if (!relations)
@@ -161,11 +162,13 @@ std::optional<MapConversion> mapConversionOf(IfcParse::IfcFile& file, double len
     const Instance crs = attributeInstance(conversion, "TargetCRS");
     const Instance unit = attributeInstance(crs, "MapUnit");
     const double mapUnit_m = unit != nullptr ? metresPer(unit) : lengthUnit_m;
-    const auto number = [&](const char* name, double otherwise) { return attributeNumber(conversion, name).value_or(otherwise); };
+    const auto number = [&](const char* name, double otherwise)
+    { return attributeNumber(conversion, name).value_or(otherwise); };
 
     MapConversion result;
     result.crs = attributeText(crs, "Name");
-    result.origin = mapUnit_m * Eigen::Vector3d(number("Eastings", 0.0), number("Northings", 0.0), number("OrthogonalHeight", 0.0));
+    result.origin =
+        mapUnit_m * Eigen::Vector3d(number("Eastings", 0.0), number("Northings", 0.0), number("OrthogonalHeight", 0.0));
     result.yaw_rad = std::atan2(number("XAxisOrdinate", 0.0), number("XAxisAbscissa", 1.0));
     // The scale also converts the project's unit to the map's, and many writers leave that out.
     const double scale = number("Scale", 1.0) * mapUnit_m / lengthUnit_m;

@@ -42,7 +42,8 @@ public:
 
 private:
     using Parents = std::map<unsigned, const IfcUtil::IfcBaseClass*>;  // by the child's instance number
-    static void collect(IfcParse::IfcFile& file, const char* entity, const char* parent, const char* children, Parents& parents);
+    static void collect(IfcParse::IfcFile& file, const char* entity, const char* parent, const char* children,
+                        Parents& parents);
     [[nodiscard]] static const IfcUtil::IfcBaseClass* find(const Parents& parents, const IfcUtil::IfcBaseClass* child);
 
     Parents m_containers;

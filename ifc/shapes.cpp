@@ -85,7 +85,8 @@ Instance Shapes::axes(const Eigen::Vector3d& origin, const Eigen::Vector2d& x)
     {
         Instance& instance = m_origins[{origin.x(), origin.y(), origin.z()}];
         if (instance == nullptr)
-            instance = m_builder.add("IfcAxis2Placement3D", {{"Location", point({origin.x(), origin.y(), origin.z()})}});
+            instance =
+                m_builder.add("IfcAxis2Placement3D", {{"Location", point({origin.x(), origin.y(), origin.z()})}});
         return instance;
     }
     return m_builder.add("IfcAxis2Placement3D", {{"Location", point({origin.x(), origin.y(), origin.z()})},
@@ -113,17 +114,19 @@ Instance Shapes::extrude(Instance profile, Instance position, double depth)
 
 Instance Shapes::box(const Eigen::Vector3d& corner, const Eigen::Vector3d& size)
 {
-    const Instance rectangle = m_builder.add("IfcRectangleProfileDef", {{"ProfileType", Enumeration{"AREA"}},
-                                                                        {"Position", axes2(corner.head<2>() + 0.5 * size.head<2>())},
-                                                                        {"XDim", size.x()},
-                                                                        {"YDim", size.y()}});
+    const Instance rectangle =
+        m_builder.add("IfcRectangleProfileDef", {{"ProfileType", Enumeration{"AREA"}},
+                                                 {"Position", axes2(corner.head<2>() + 0.5 * size.head<2>())},
+                                                 {"XDim", size.x()},
+                                                 {"YDim", size.y()}});
     return extrude(rectangle, axes({0.0, 0.0, corner.z()}, Eigen::Vector2d::UnitX()), size.z());
 }
 
 Instance Shapes::cylinder(double radius, double height)
 {
     const Instance circle = m_builder.add(
-        "IfcCircleProfileDef", {{"ProfileType", Enumeration{"AREA"}}, {"Position", axes2(Eigen::Vector2d::Zero())}, {"Radius", radius}});
+        "IfcCircleProfileDef",
+        {{"ProfileType", Enumeration{"AREA"}}, {"Position", axes2(Eigen::Vector2d::Zero())}, {"Radius", radius}});
     return extrude(circle, axes(Eigen::Vector3d::Zero(), Eigen::Vector2d::UnitX()), height);
 }
 
@@ -167,7 +170,8 @@ Instance Shapes::curve(const Ring& ring)
 Instance Shapes::profile(Instance outer, const InstanceList& holes)
 {
     if (holes.empty())
-        return m_builder.add("IfcArbitraryClosedProfileDef", {{"ProfileType", Enumeration{"AREA"}}, {"OuterCurve", outer}});
+        return m_builder.add("IfcArbitraryClosedProfileDef",
+                             {{"ProfileType", Enumeration{"AREA"}}, {"OuterCurve", outer}});
     return m_builder.add("IfcArbitraryProfileDefWithVoids",
                          {{"ProfileType", Enumeration{"AREA"}}, {"OuterCurve", outer}, {"InnerCurves", holes}});
 }
@@ -193,8 +197,8 @@ Instance Shapes::prism(const Polygon& polygon, double bottom, double height)
     return extrude(profile(outer, curves), axes({0.0, 0.0, bottom}, Eigen::Vector2d::UnitX()), height);
 }
 
-Instance Shapes::plate(const std::vector<Eigen::Vector2d>& outer, const std::vector<std::vector<Eigen::Vector2d>>& holes,
-                       double front, double depth)
+Instance Shapes::plate(const std::vector<Eigen::Vector2d>& outer,
+                       const std::vector<std::vector<Eigen::Vector2d>>& holes, double front, double depth)
 {
     InstanceList inner;
     for (const auto& hole : holes)
@@ -238,13 +242,16 @@ Instance Shapes::paint(Instance item, Style style)
     if (instance == nullptr)
     {
         const Colour colour = colourOf(style);
-        const Instance rgb = m_builder.add("IfcColourRgb", {{"Red", colour.red}, {"Green", colour.green}, {"Blue", colour.blue}});
+        const Instance rgb =
+            m_builder.add("IfcColourRgb", {{"Red", colour.red}, {"Green", colour.green}, {"Blue", colour.blue}});
         // Rendering rather than its supertype Shading, whose transparency IfcOpenShell, for one, doesn't read.
-        const Instance shading = m_builder.add("IfcSurfaceStyleRendering", {{"SurfaceColour", rgb},
-                                                                            {"Transparency", colour.transparency},
-                                                                            {"ReflectanceMethod", Enumeration{"NOTDEFINED"}}});
-        instance = m_builder.add("IfcSurfaceStyle",
-                                 {{"Name", colour.name}, {"Side", Enumeration{"BOTH"}}, {"Styles", InstanceList{shading}}});
+        const Instance shading =
+            m_builder.add("IfcSurfaceStyleRendering", {{"SurfaceColour", rgb},
+                                                       {"Transparency", colour.transparency},
+                                                       {"ReflectanceMethod", Enumeration{"NOTDEFINED"}}});
+        instance =
+            m_builder.add("IfcSurfaceStyle",
+                          {{"Name", colour.name}, {"Side", Enumeration{"BOTH"}}, {"Styles", InstanceList{shading}}});
     }
     m_builder.add("IfcStyledItem", {{"Item", item}, {"Styles", InstanceList{instance}}});
     return item;

@@ -25,8 +25,8 @@ enum class Style
     Space
 };
 
-/// A ring of straight and circular pieces in plan: the points in order, each with the middle of the arc that leads from it
-/// to the next, where it is an arc.
+/// A ring of straight and circular pieces in plan: the points in order, each with the middle of the arc that leads from
+/// it to the next, where it is an arc.
 struct Ring
 {
     struct Corner
@@ -47,7 +47,8 @@ public:
     [[nodiscard]] Instance modelContext() const { return m_model; }
 
     /// Placement relative to another (null: the world): origin, and the x axis' direction in plan.
-    Instance placement(Instance relativeTo, const Eigen::Vector3d& origin, const Eigen::Vector2d& x = Eigen::Vector2d::UnitX());
+    Instance placement(Instance relativeTo, const Eigen::Vector3d& origin,
+                       const Eigen::Vector2d& x = Eigen::Vector2d::UnitX());
 
     /// Solids, all extruded along z from z = `bottom` unless said otherwise.
     Instance box(const Eigen::Vector3d& corner, const Eigen::Vector3d& size);
@@ -55,8 +56,8 @@ public:
     Instance prism(const Ring& ring, double bottom, double height);
     Instance prism(const Polygon& polygon, double bottom, double height);
     /// A polygon in the x-z plane, extruded along y from `front` to `front + depth`, with holes.
-    Instance plate(const std::vector<Eigen::Vector2d>& outer, const std::vector<std::vector<Eigen::Vector2d>>& holes, double front,
-                   double depth);
+    Instance plate(const std::vector<Eigen::Vector2d>& outer, const std::vector<std::vector<Eigen::Vector2d>>& holes,
+                   double front, double depth);
     /// A closed triangle mesh.
     Instance mesh(const std::vector<Eigen::Vector3d>& vertices, const std::vector<std::array<int, 3>>& triangles);
 

@@ -52,7 +52,8 @@ WallGeometry::WallGeometry(const Wall& wall) : m_wall(wall), m_length(wall.bodyE
     const double to = from + m_turn * m_length / m_radius;
     const double chordAngle = std::atan2(m_x.y(), m_x.x());
     std::vector<double> angles = {from, to};
-    for (double k = std::ceil((std::min(from, to) - chordAngle) / M_PI_2); chordAngle + k * M_PI_2 < std::max(from, to); k += 1.0)
+    for (double k = std::ceil((std::min(from, to) - chordAngle) / M_PI_2); chordAngle + k * M_PI_2 < std::max(from, to);
+         k += 1.0)
         angles.push_back(chordAngle + k * M_PI_2);
     Eigen::Vector2d least = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
     for (const double angle : angles)
@@ -69,7 +70,8 @@ Eigen::Vector2d WallGeometry::at(double s, double left) const
     if (!isArc())
         return {s - m_wall.bodyStart_m, left + 0.5 * thickness_m()};
     const double angle = m_startAngle + m_turn * s / m_radius;
-    const Eigen::Vector2d p = m_center + (m_radius - m_turn * left) * Eigen::Vector2d(std::cos(angle), std::sin(angle)) - m_origin;
+    const Eigen::Vector2d p =
+        m_center + (m_radius - m_turn * left) * Eigen::Vector2d(std::cos(angle), std::sin(angle)) - m_origin;
     return {p.dot(m_x), p.dot(leftOf(m_x))};
 }
 
@@ -87,7 +89,8 @@ double WallGeometry::top_m(double s) const
     const auto& profile = m_wall.topProfile;
     if (profile.empty())
         return m_wall.base_m + m_wall.height.value_m;
-    const auto after = std::upper_bound(profile.begin(), profile.end(), s, [](double value, const Eigen::Vector2d& p) { return value < p.x(); });
+    const auto after = std::upper_bound(profile.begin(), profile.end(), s,
+                                        [](double value, const Eigen::Vector2d& p) { return value < p.x(); });
     if (after == profile.begin())
         return profile.front().y();
     if (after == profile.end())
@@ -117,7 +120,8 @@ std::vector<Eigen::Vector2d> WallGeometry::topEdge() const
     constexpr double kSame_m = 1e-6;
     std::vector<Eigen::Vector2d> edge = {{m_wall.bodyStart_m, top_m(m_wall.bodyStart_m)}};
     for (const Eigen::Vector2d& p : m_wall.topProfile)
-        if (p.x() > m_wall.bodyStart_m + kSame_m && p.x() < m_wall.bodyEnd_m - kSame_m && (p - edge.back()).norm() > kSame_m)
+        if (p.x() > m_wall.bodyStart_m + kSame_m && p.x() < m_wall.bodyEnd_m - kSame_m &&
+            (p - edge.back()).norm() > kSame_m)
             edge.push_back(p);
     edge.emplace_back(m_wall.bodyEnd_m, top_m(m_wall.bodyEnd_m));
     return edge;
@@ -153,8 +157,9 @@ WallGeometry::Quantities WallGeometry::quantities(const std::vector<const Openin
     for (const Opening* o : openings)
     {
         const double sill = base + o->sill.value_m;
-        const Rectangle r = {std::max(o->offset_m, m_wall.bodyStart_m), std::min(o->offset_m + o->width.value_m, m_wall.bodyEnd_m),
-                             std::max(sill, base), sill + o->height.value_m};
+        const Rectangle r = {std::max(o->offset_m, m_wall.bodyStart_m),
+                             std::min(o->offset_m + o->width.value_m, m_wall.bodyEnd_m), std::max(sill, base),
+                             sill + o->height.value_m};
         if (r.from >= r.to || r.bottom >= r.top)
             continue;
         holes.push_back(r);
@@ -163,7 +168,8 @@ WallGeometry::Quantities WallGeometry::quantities(const std::vector<const Openin
         for (std::size_t i = 0; i + 1 < edge.size(); ++i)
             for (const double z : {r.bottom, r.top})
                 if ((edge[i].y() < z) != (edge[i + 1].y() < z))
-                    breaks.push_back(edge[i].x() + (edge[i + 1].x() - edge[i].x()) * (z - edge[i].y()) / (edge[i + 1].y() - edge[i].y()));
+                    breaks.push_back(edge[i].x() + (edge[i + 1].x() - edge[i].x()) * (z - edge[i].y()) /
+                                                       (edge[i + 1].y() - edge[i].y()));
     }
     std::sort(breaks.begin(), breaks.end());
 

@@ -19,15 +19,16 @@ class WallGeometry
 public:
     explicit WallGeometry(const Wall& wall);
 
-    [[nodiscard]] const Eigen::Vector2d& origin() const { return m_origin; }   ///< building frame
-    [[nodiscard]] const Eigen::Vector2d& xAxis() const { return m_x; }         ///< building frame
+    [[nodiscard]] const Eigen::Vector2d& origin() const { return m_origin; }  ///< building frame
+    [[nodiscard]] const Eigen::Vector2d& xAxis() const { return m_x; }        ///< building frame
     [[nodiscard]] bool isArc() const { return m_turn != 0.0; }
-    [[nodiscard]] double radius_m() const { return m_radius; }                 ///< of the axis; 0 when straight
-    [[nodiscard]] double length_m() const { return m_length; }                 ///< of the body, along the axis
+    [[nodiscard]] double radius_m() const { return m_radius; }  ///< of the axis; 0 when straight
+    [[nodiscard]] double length_m() const { return m_length; }  ///< of the body, along the axis
     [[nodiscard]] double thickness_m() const { return m_wall.thickness.value_m; }
     [[nodiscard]] double bodySweep_rad() const { return isArc() ? m_length / m_radius : 0.0; }
 
-    /// Local plan coordinates of the point at arc length `s` from the axis' start, `left` metres to the left of the axis.
+    /// Local plan coordinates of the point at arc length `s` from the axis' start, `left` metres to the left of the
+    /// axis.
     [[nodiscard]] Eigen::Vector2d at(double s, double left) const;
     /// Unit direction of the axis there, local.
     [[nodiscard]] Eigen::Vector2d tangent(double s) const;
@@ -49,7 +50,8 @@ public:
         double grossVolume_m3 = 0.0;
         double netVolume_m3 = 0.0;
     };
-    /// Exact for straight walls, whichever way openings overlap or stick out of the wall, and for arcs with apart openings.
+    /// Exact for straight walls, whichever way openings overlap or stick out of the wall, and for arcs with apart
+    /// openings.
     /// @param openings  those of this wall.
     [[nodiscard]] Quantities quantities(const std::vector<const Opening*>& openings) const;
 
@@ -60,7 +62,7 @@ private:
     Eigen::Vector2d m_origin = Eigen::Vector2d::Zero();
     Eigen::Vector2d m_x = Eigen::Vector2d::UnitX();
     double m_length = 0.0;
-    double m_turn = 0.0;        // 1 for a counter-clockwise arc, -1 for a clockwise one, 0 for a straight wall
+    double m_turn = 0.0;  // 1 for a counter-clockwise arc, -1 for a clockwise one, 0 for a straight wall
     double m_radius = 0.0;
     double m_startAngle = 0.0;  // building frame
     Eigen::Vector2d m_center = Eigen::Vector2d::Zero();

@@ -98,7 +98,8 @@ Instance Model::wallBody(const Wall& wall, Shapes::Representation& representatio
         return facetedBody(wall, geometry, m_shapes);
     }
     if (geometry.hasLevelTop())
-        return m_shapes.box(Eigen::Vector3d::Zero(), {geometry.length_m(), geometry.thickness_m(), wall.height.value_m});
+        return m_shapes.box(Eigen::Vector3d::Zero(),
+                            {geometry.length_m(), geometry.thickness_m(), wall.height.value_m});
     return m_shapes.plate(elevation(wall, geometry), {}, 0.0, geometry.thickness_m());
 }
 
@@ -112,8 +113,9 @@ void Model::addWall(const Wall& wall)
     Shapes::Representation representation;
     representation.body = {m_shapes.paint(wallBody(wall, representation), Style::Wall)};
     const double length = wall.axisLength_m();
-    representation.axis = geometry.isArc() ? m_shapes.arc(geometry.at(0.0, 0.0), geometry.at(0.5 * length, 0.0), geometry.at(length, 0.0))
-                                           : m_shapes.line(geometry.at(0.0, 0.0), geometry.at(length, 0.0));
+    representation.axis =
+        geometry.isArc() ? m_shapes.arc(geometry.at(0.0, 0.0), geometry.at(0.5 * length, 0.0), geometry.at(length, 0.0))
+                         : m_shapes.line(geometry.at(0.0, 0.0), geometry.at(length, 0.0));
     const Instance instance = m_builder.add("IfcWall", {{"GlobalId", guid(wallKey)},
                                                         {"Name", "Wall " + std::to_string(wall.id.value)},
                                                         {"ObjectPlacement", placement},
@@ -137,12 +139,13 @@ void Model::addWall(const Wall& wall)
     if (geometry.hasLevelTop())  // IFC: only where it is the same along the wall
         quantities.push_back({"Height", QuantityKind::Length, wall.height.value_m});
     const bool isIfc4 = m_options.schema == "IFC4";  // the standard changed the spelling
-    quantities.insert(quantities.end(), {{isIfc4 ? "GrossFootprintArea" : "GrossFootPrintArea", QuantityKind::Area, q.grossFootprint_m2},
-                                         {isIfc4 ? "NetFootprintArea" : "NetFootPrintArea", QuantityKind::Area, q.netFootprint_m2},
-                                         {"GrossSideArea", QuantityKind::Area, q.grossSide_m2},
-                                         {"NetSideArea", QuantityKind::Area, q.netSide_m2},
-                                         {"GrossVolume", QuantityKind::Volume, q.grossVolume_m3},
-                                         {"NetVolume", QuantityKind::Volume, q.netVolume_m3}});
+    quantities.insert(quantities.end(),
+                      {{isIfc4 ? "GrossFootprintArea" : "GrossFootPrintArea", QuantityKind::Area, q.grossFootprint_m2},
+                       {isIfc4 ? "NetFootprintArea" : "NetFootPrintArea", QuantityKind::Area, q.netFootprint_m2},
+                       {"GrossSideArea", QuantityKind::Area, q.grossSide_m2},
+                       {"NetSideArea", QuantityKind::Area, q.netSide_m2},
+                       {"GrossVolume", QuantityKind::Volume, q.grossVolume_m3},
+                       {"NetVolume", QuantityKind::Volume, q.netVolume_m3}});
     m_properties.addQuantities(instance, wallKey, "Qto_WallBaseQuantities", quantities);
     addEvidence(instance, wallKey, wall.id, &wall.evidence, {{"Thickness", wall.thickness}, {"Height", wall.height}});
 }
@@ -156,18 +159,21 @@ void Model::addWalls()
 void Model::addJunctions()
 {
     const auto end = [](JunctionEnd e)
-    { return Enumeration{e == JunctionEnd::Start ? "ATSTART" : e == JunctionEnd::End ? "ATEND" : "ATPATH"}; };
+    {
+        return Enumeration{e == JunctionEnd::Start ? "ATSTART" : e == JunctionEnd::End ? "ATEND" : "ATPATH"};
+    };
     std::size_t number = 0;
     for (const Junction& junction : m_building.junctions)
-        m_builder.add("IfcRelConnectsPathElements",
-                      {{"GlobalId", guid("junction/" + std::to_string(number++) + '/' + std::to_string(junction.wallA.value) + '/' +
-                                         std::to_string(junction.wallB.value))},
-                       {"RelatingElement", m_walls.at(junction.wallA).instance},
-                       {"RelatedElement", m_walls.at(junction.wallB).instance},
-                       {"RelatingPriorities", std::vector<int>{}},
-                       {"RelatedPriorities", std::vector<int>{}},
-                       {"RelatedConnectionType", end(junction.endB)},
-                       {"RelatingConnectionType", end(junction.endA)}});
+        m_builder.add(
+            "IfcRelConnectsPathElements",
+            {{"GlobalId", guid("junction/" + std::to_string(number++) + '/' + std::to_string(junction.wallA.value) +
+                               '/' + std::to_string(junction.wallB.value))},
+             {"RelatingElement", m_walls.at(junction.wallA).instance},
+             {"RelatedElement", m_walls.at(junction.wallB).instance},
+             {"RelatingPriorities", std::vector<int>{}},
+             {"RelatedPriorities", std::vector<int>{}},
+             {"RelatedConnectionType", end(junction.endB)},
+             {"RelatingConnectionType", end(junction.endA)}});
 }
 
 }  // namespace s2b::ifc

@@ -18,8 +18,9 @@ using test::TestFolder;
 /// A file with the given data section.
 std::string stepFile(const std::string& schema, const std::string& data)
 {
-    return "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\nFILE_SCHEMA(('" + schema +
-           "'));\nENDSEC;\nDATA;\n" + data + "ENDSEC;\nEND-ISO-10303-21;\n";
+    return "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\nFILE_SCHEMA(("
+           "'" +
+           schema + "'));\nENDSEC;\nDATA;\n" + data + "ENDSEC;\nEND-ISO-10303-21;\n";
 }
 
 /// Millimetres; a wall of 4000 x 300 x 2500 at (1000, 2000, 500) on a storey at 3000, its body a mapped item; a window

@@ -59,7 +59,8 @@ Building sampleBuilding()
     for (int i = 0; i < 4; ++i)
     {
         Wall& w = b.walls[static_cast<std::size_t>(i)];
-        const double overlap = i % 2 == 0 ? 0.1 : -0.1;  // the long walls run through, the short ones end at their faces
+        const double overlap =
+            i % 2 == 0 ? 0.1 : -0.1;  // the long walls run through, the short ones end at their faces
         w.bodyStart_m -= overlap;
         w.bodyEnd_m += overlap;
         w.isExternal = true;
@@ -159,7 +160,8 @@ Building sampleBuilding()
                    {{11}, {12}, JunctionEnd::End, JunctionEnd::Start},
                    {{14}, {10}, JunctionEnd::Start, JunctionEnd::Path},
                    {{15}, {16}, JunctionEnd::End, JunctionEnd::Start}};
-    b.diagnostics = {{Severity::Warning, "walls", "ThicknessAssumed", "Only one face was seen; \"0.1 m\" isn't measured", {14}, {}}};
+    b.diagnostics = {
+        {Severity::Warning, "walls", "ThicknessAssumed", "Only one face was seen; \"0.1 m\" isn't measured", {14}, {}}};
     return b;
 }
 
@@ -172,11 +174,13 @@ Building manyWalls(int count)
     {
         const Eigen::Vector2d start(5.0 * (i % perRow), 3.0 * (i / perRow));
         // Every wall and door differs a little, as measured ones do.
-        Wall w = wall(static_cast<unsigned>(2 + 2 * i), 1, start, start + Eigen::Vector2d(4.0 + 1e-4 * i, 0.01 * (i % 7)), 0.0);
+        Wall w = wall(static_cast<unsigned>(2 + 2 * i), 1, start,
+                      start + Eigen::Vector2d(4.0 + 1e-4 * i, 0.01 * (i % 7)), 0.0);
         w.thickness.value_m = 0.1 + 1e-5 * i;
         w.evidence.rms_m = 1e-6 * i;
         b.walls.push_back(w);
-        b.openings.push_back(opening(static_cast<unsigned>(3 + 2 * i), w.id.value, OpeningKind::Door, 1.0, 0.9 + 1e-5 * i, 2.1, 0.0));
+        b.openings.push_back(
+            opening(static_cast<unsigned>(3 + 2 * i), w.id.value, OpeningKind::Door, 1.0, 0.9 + 1e-5 * i, 2.1, 0.0));
         b.openings.back().evidence.rms_m = 1e-6 * i;
     }
     return b;

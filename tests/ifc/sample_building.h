@@ -7,8 +7,8 @@ namespace s2b::test
 {
 
 /// A small building that uses every feature of the model: two storeys, straight, oblique, curved, gabled walls and a
-/// curved one under a sloped top, doors of every kind, a window, a plain opening, both columns, slabs with holes, spaces
-/// with boundaries, junctions, diagnostics, names outside ASCII.
+/// curved one under a sloped top, doors of every kind, a window, a plain opening, both columns, slabs with holes,
+/// spaces with boundaries, junctions, diagnostics, names outside ASCII.
 [[nodiscard]] Building sampleBuilding();
 
 /// `count` walls of 4 m in a grid on one storey, each with one door.

@@ -14,7 +14,8 @@ namespace s2b::test
 TestFolder::TestFolder()
 {
     const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = std::string("s2b_") + info->test_suite_name() + '_' + info->name() + '_' + std::to_string(::getpid());
+    std::string name =
+        std::string("s2b_") + info->test_suite_name() + '_' + info->name() + '_' + std::to_string(::getpid());
     for (char& c : name)
         if (c == '/')
             c = '_';
@@ -61,7 +62,8 @@ double volumeOf(const ifc::MeshElement& element)
     double six = 0.0;
     const Eigen::Vector3d& origin = element.vertices.front();
     for (const auto& t : element.triangles)
-        six += (element.vertices[t[0]] - origin).dot((element.vertices[t[1]] - origin).cross(element.vertices[t[2]] - origin));
+        six += (element.vertices[t[0]] - origin)
+                   .dot((element.vertices[t[1]] - origin).cross(element.vertices[t[2]] - origin));
     return six / 6.0;
 }
 

@@ -44,6 +44,7 @@ struct Box
 [[nodiscard]] Box boxOf(const ifc::MeshElement& element);
 
 /// The element of that type and name. Fails the test when there is none.
-[[nodiscard]] const ifc::MeshElement& elementOf(const ifc::IfcModel& model, std::string_view type, std::string_view name);
+[[nodiscard]] const ifc::MeshElement& elementOf(const ifc::IfcModel& model, std::string_view type,
+                                                std::string_view name);
 
 }  // namespace s2b::test

@@ -132,7 +132,8 @@ TEST_P(WriterContent, GlobalIdsAreUnique)
 TEST_P(WriterContent, OperationTypeOnlyWhereTheLeafTells)
 {
     write(test::sampleBuilding());
-    const auto operation = [&](const char* name) { return ifc::attributeText(named("IfcDoor", name), "OperationType"); };
+    const auto operation = [&](const char* name)
+    { return ifc::attributeText(named("IfcDoor", name), "OperationType"); };
     // Hinge at the wall's start. Looking to the wall's left that is the left hand, looking to its right the right hand.
     EXPECT_EQ(operation("Door 30"), "SINGLE_SWING_LEFT");
     EXPECT_EQ(operation("Door 31"), "SINGLE_SWING_RIGHT");
@@ -146,7 +147,8 @@ TEST_P(WriterContent, OperationTypeOnlyWhereTheLeafTells)
 TEST_P(WriterContent, ExternalIsSaidOnlyWhereItIsKnown)
 {
     write(test::sampleBuilding());
-    const auto external = [&](const char* type, const char* name, const char* set) { return property(named(type, name), set, "IsExternal"); };
+    const auto external = [&](const char* type, const char* name, const char* set)
+    { return property(named(type, name), set, "IsExternal"); };
     EXPECT_EQ(external("IfcWall", "Wall 10", "Pset_WallCommon"), "IFCBOOLEAN(.T.)");
     EXPECT_EQ(external("IfcWall", "Wall 14", "Pset_WallCommon"), "IFCBOOLEAN(.F.)");
     EXPECT_EQ(external("IfcWall", "Wall 15", "Pset_WallCommon"), "");
@@ -159,7 +161,8 @@ TEST_P(WriterContent, ExternalIsSaidOnlyWhereItIsKnown)
 TEST_P(WriterContent, EvidenceTellsMeasuredFromAssumed)
 {
     write(test::sampleBuilding());
-    const auto evidence = [&](const char* name, const char* what) { return property(named("IfcWall", name), "S2B_Evidence", what); };
+    const auto evidence = [&](const char* name, const char* what)
+    { return property(named("IfcWall", name), "S2B_Evidence", what); };
     EXPECT_EQ(evidence("Wall 10", "Points"), "IFCINTEGER(12345)");
     EXPECT_EQ(evidence("Wall 10", "FacesSeen"), "IFCINTEGER(2)");
     EXPECT_EQ(evidence("Wall 10", "CoverageRight"), "IFCNORMALISEDRATIOMEASURE(0.75)");
@@ -211,14 +214,16 @@ TEST_P(WriterContent, OverlappingAndProtrudingOpeningsCountOnce)
         b.openings.push_back(o);
     };
     add(3, 1.0, 1.0, 2.0, 0.0);
-    add(4, 1.5, 1.0, 2.0, 0.0);   // half of it is in the first
-    add(5, 5.5, 1.0, 1.0, 2.3);   // sticks out of the end and the top: 0.5 x 0.5 is left
+    add(4, 1.5, 1.0, 2.0, 0.0);  // half of it is in the first
+    add(5, 5.5, 1.0, 1.0, 2.3);  // sticks out of the end and the top: 0.5 x 0.5 is left
     write(b);
     const Instance wall = named("IfcWall", "Wall 2");
     const auto q = [&](const char* name) { return quantity(wall, "Qto_WallBaseQuantities", name); };
     EXPECT_NEAR(q("NetSideArea"), 6.0 * 2.8 - 1.5 * 2.0 - 0.25, 1e-9);
-    EXPECT_NEAR(q(GetParam() == std::string("IFC4") ? "NetFootprintArea" : "NetFootPrintArea"), 6.0 * 0.2 - 1.5 * 0.2, 1e-9);
-    EXPECT_NEAR(q("NetVolume"), test::volumeOf(test::elementOf(ifc::readIfc(m_folder.file("a.ifc")), "IfcWall", "Wall 2")), 1e-6);
+    EXPECT_NEAR(q(GetParam() == std::string("IFC4") ? "NetFootprintArea" : "NetFootPrintArea"), 6.0 * 0.2 - 1.5 * 0.2,
+                1e-9);
+    EXPECT_NEAR(q("NetVolume"),
+                test::volumeOf(test::elementOf(ifc::readIfc(m_folder.file("a.ifc")), "IfcWall", "Wall 2")), 1e-6);
 }
 
 TEST_P(WriterContent, ElementsOfOneSizeShareTheirType)

@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <algorithm>
 
 #include <csignal>
 #include <ctime>
@@ -66,7 +66,8 @@ TEST(WriterFile, GlobalIdsOfElementsSurviveOtherElements)
     EXPECT_EQ(test::elementOf(before, "IfcWall", "Wall 20").guid, test::elementOf(after, "IfcWall", "Wall 20").guid);
     ifc::WriteOptions other;
     other.projectName = "Another";
-    EXPECT_NE(test::elementOf(before, "IfcWall", "Wall 20").guid, test::elementOf(test::roundTrip(b, other), "IfcWall", "Wall 20").guid);
+    EXPECT_NE(test::elementOf(before, "IfcWall", "Wall 20").guid,
+              test::elementOf(test::roundTrip(b, other), "IfcWall", "Wall 20").guid);
 }
 
 TEST(WriterFile, ReplacesAnExistingFileAndKeepsItsRights)
@@ -172,29 +173,33 @@ class WriterDamage : public testing::TestWithParam<Damage>
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 INSTANTIATE_TEST_SUITE_P(
     Kinds, WriterDamage,
-    testing::Values(Damage{"NanFrame", [](Building& b) { b.frame.origin.x() = kNaN; }, "frame"},
-                    Damage{"NanWall", [](Building& b) { b.walls[0].start.y() = kNaN; }, "wall 10"},
-                    Damage{"InfiniteWall", [](Building& b) { b.walls[0].base_m = std::numeric_limits<double>::infinity(); }, "wall 10"},
-                    Damage{"ThinWall", [](Building& b) { b.walls[0].thickness.value_m = 0.0; }, "wall 10"},
-                    Damage{"LowWall", [](Building& b) { b.walls[0].height.value_m = -1.0; }, "wall 10"},
-                    Damage{"ShortBody", [](Building& b) { b.walls[0].bodyEnd_m = b.walls[0].bodyStart_m; }, "wall 10"},
-                    Damage{"TopBelowBase", [](Building& b) { b.walls[8].topProfile[1].y() = 3.0; }, "wall 20"},
-                    Damage{"DescendingTop", [](Building& b) { std::swap(b.walls[8].topProfile[0], b.walls[8].topProfile[2]); }, "wall 20"},
-                    Damage{"TightArc", [](Building& b) { b.walls[7].thickness.value_m = 4.5; }, "wall 17"},
-                    Damage{"RoundAndRound", [](Building& b) { b.walls[7].bodyEnd_m = 13.0; }, "wall 17"},
-                    Damage{"WallWithoutStorey", [](Building& b) { b.walls[0].storey = {77}; }, "77"},
-                    Damage{"NanOpening", [](Building& b) { b.openings[0].offset_m = kNaN; }, "opening 30"},
-                    Damage{"NarrowOpening", [](Building& b) { b.openings[0].width.value_m = 0.0; }, "opening 30"},
-                    Damage{"HomelessOpening", [](Building& b) { b.openings[0].host = {40}; }, "opening 30"},
-                    Damage{"CoverageOverOne", [](Building& b) { b.walls[0].evidence.faceCoverage[1] = 1.1; }, "wall 10"},
-                    Damage{"FlatColumn", [](Building& b) { b.columns[0].section = RectangleSection{0.3, 0.0}; }, "column 40"},
-                    Damage{"NegativeRadius", [](Building& b) { b.columns[1].section = CircleSection{-0.2}; }, "column 41"},
-                    Damage{"SlabWithoutArea", [](Building& b) { b.slabs[0].outline.outer = {{0, 0}, {1, 1}, {2, 2}}; }, "slab 50"},
-                    Damage{"HoleLargerThanSlab", [](Building& b) { b.slabs[0].outline.holes = {b.slabs[0].outline.outer}; }, "slab 50"},
-                    Damage{"SpaceBehindMissingWall", [](Building& b) { b.spaces[0].boundedBy = {{99}}; }, "99"},
-                    Damage{"WallJoinedToItself", [](Building& b) { b.junctions[0].wallB = {10}; }, "10"},
-                    Damage{"SameIdTwice", [](Building& b) { b.columns[0].id = {10}; }, "10"},
-                    Damage{"NoId", [](Building& b) { b.walls[0].id = {}; }, "wall"}),
+    testing::Values(
+        Damage{"NanFrame", [](Building& b) { b.frame.origin.x() = kNaN; }, "frame"},
+        Damage{"NanWall", [](Building& b) { b.walls[0].start.y() = kNaN; }, "wall 10"},
+        Damage{"InfiniteWall", [](Building& b) { b.walls[0].base_m = std::numeric_limits<double>::infinity(); },
+               "wall 10"},
+        Damage{"ThinWall", [](Building& b) { b.walls[0].thickness.value_m = 0.0; }, "wall 10"},
+        Damage{"LowWall", [](Building& b) { b.walls[0].height.value_m = -1.0; }, "wall 10"},
+        Damage{"ShortBody", [](Building& b) { b.walls[0].bodyEnd_m = b.walls[0].bodyStart_m; }, "wall 10"},
+        Damage{"TopBelowBase", [](Building& b) { b.walls[8].topProfile[1].y() = 3.0; }, "wall 20"},
+        Damage{"DescendingTop", [](Building& b) { std::swap(b.walls[8].topProfile[0], b.walls[8].topProfile[2]); },
+               "wall 20"},
+        Damage{"TightArc", [](Building& b) { b.walls[7].thickness.value_m = 4.5; }, "wall 17"},
+        Damage{"RoundAndRound", [](Building& b) { b.walls[7].bodyEnd_m = 13.0; }, "wall 17"},
+        Damage{"WallWithoutStorey", [](Building& b) { b.walls[0].storey = {77}; }, "77"},
+        Damage{"NanOpening", [](Building& b) { b.openings[0].offset_m = kNaN; }, "opening 30"},
+        Damage{"NarrowOpening", [](Building& b) { b.openings[0].width.value_m = 0.0; }, "opening 30"},
+        Damage{"HomelessOpening", [](Building& b) { b.openings[0].host = {40}; }, "opening 30"},
+        Damage{"CoverageOverOne", [](Building& b) { b.walls[0].evidence.faceCoverage[1] = 1.1; }, "wall 10"},
+        Damage{"FlatColumn", [](Building& b) { b.columns[0].section = RectangleSection{0.3, 0.0}; }, "column 40"},
+        Damage{"NegativeRadius", [](Building& b) { b.columns[1].section = CircleSection{-0.2}; }, "column 41"},
+        Damage{"SlabWithoutArea", [](Building& b) { b.slabs[0].outline.outer = {{0, 0}, {1, 1}, {2, 2}}; }, "slab 50"},
+        Damage{"HoleLargerThanSlab", [](Building& b) { b.slabs[0].outline.holes = {b.slabs[0].outline.outer}; },
+               "slab 50"},
+        Damage{"SpaceBehindMissingWall", [](Building& b) { b.spaces[0].boundedBy = {{99}}; }, "99"},
+        Damage{"WallJoinedToItself", [](Building& b) { b.junctions[0].wallB = {10}; }, "10"},
+        Damage{"SameIdTwice", [](Building& b) { b.columns[0].id = {10}; }, "10"},
+        Damage{"NoId", [](Building& b) { b.walls[0].id = {}; }, "wall"}),
     [](const auto& test) { return test.param.name; });
 
 TEST_P(WriterDamage, IsFoundBeforeAnythingIsWritten)

@@ -16,8 +16,8 @@ using test::boxOf;
 using test::roundTrip;
 using test::volumeOf;
 
-constexpr double kExact_m = 1e-6;   // planar faces come back as they were; the kernel's own tolerance is 1e-7
-constexpr double kCurve = 0.002;    // share of a volume that 1 mm chords lose on the radii used here
+constexpr double kExact_m = 1e-6;  // planar faces come back as they were; the kernel's own tolerance is 1e-7
+constexpr double kCurve = 0.002;   // share of a volume that 1 mm chords lose on the radii used here
 
 class WriterGeometry : public testing::TestWithParam<const char*>
 {
@@ -31,7 +31,8 @@ protected:
 };
 INSTANTIATE_TEST_SUITE_P(Schemas, WriterGeometry, testing::Values("IFC4", "IFC4X3_ADD2"));
 
-void expectBox(const ifc::MeshElement& element, const Eigen::Vector3d& low, const Eigen::Vector3d& high, double tolerance = kExact_m)
+void expectBox(const ifc::MeshElement& element, const Eigen::Vector3d& low, const Eigen::Vector3d& high,
+               double tolerance = kExact_m)
 {
     const test::Box box = boxOf(element);
     EXPECT_LT((box.low - low).cwiseAbs().maxCoeff(), tolerance) << element.name << " low " << box.low.transpose();
@@ -81,7 +82,8 @@ TEST_P(WriterGeometry, OpeningsArePlacedAlongTheAxisAndCutTheirWall)
     // Wall 12 runs back along x at y = 6.
     expectBox(test::elementOf(model, "IfcOpeningElement", "Opening 32"), {2.2, 5.85, 0.0}, {4.0, 6.15, 2.2});
     const double gross = 10.2 * 0.2 * 2.8;
-    EXPECT_NEAR(volumeOf(test::elementOf(model, "IfcWall", "Wall 10")), gross - 0.2 * (1.01 * 2.13 + 1.5 * 1.2), kExact_m);
+    EXPECT_NEAR(volumeOf(test::elementOf(model, "IfcWall", "Wall 10")), gross - 0.2 * (1.01 * 2.13 + 1.5 * 1.2),
+                kExact_m);
     const auto closed = roundTrip(b, options(), {.subtractOpenings = false});
     EXPECT_NEAR(volumeOf(test::elementOf(closed, "IfcWall", "Wall 10")), gross, kExact_m);
 }
@@ -153,7 +155,8 @@ TEST_P(WriterGeometry, SlopedTopsKeepTheirVolume)
 {
     const Building b = test::sampleBuilding();
     const auto model = roundTrip(b, options());
-    EXPECT_NEAR(volumeOf(test::elementOf(model, "IfcWall", "Wall 20")), 0.2 * (6.0 * 1.0 + 6.0 * 2.0 / 2.0 - 1.0), kExact_m);
+    EXPECT_NEAR(volumeOf(test::elementOf(model, "IfcWall", "Wall 20")), 0.2 * (6.0 * 1.0 + 6.0 * 2.0 / 2.0 - 1.0),
+                kExact_m);
     EXPECT_NEAR(volumeOf(test::elementOf(model, "IfcWall", "Wall 21")), 0.2 * 6.0 * 2.0 / 2.0, kExact_m);
     // Curved under (0, 5.1) (3, 6.1) (end, 4.1), base 3.1.
     const double end = b.wall({22})->axisLength_m();
@@ -172,7 +175,8 @@ TEST_P(WriterGeometry, ColumnsSlabsAndSpaces)
     const double halfDepth = 0.5 * (0.4 * std::sin(0.5) + 0.3 * std::cos(0.5));
     expectBox(rectangle, {2.5 - halfWidth, 3.0 - halfDepth, 0.0}, {2.5 + halfWidth, 3.0 + halfDepth, 2.8});
     // A radius of 0.2 m gives chords of 1 mm sagitta: 1.3 % of the area.
-    EXPECT_NEAR(volumeOf(test::elementOf(model, "IfcColumn", "Column 41")), M_PI * 0.04 * 2.8, 0.015 * M_PI * 0.04 * 2.8);
+    EXPECT_NEAR(volumeOf(test::elementOf(model, "IfcColumn", "Column 41")), M_PI * 0.04 * 2.8,
+                0.015 * M_PI * 0.04 * 2.8);
     const auto& floor = test::elementOf(model, "IfcSlab", "Slab 50");
     EXPECT_NEAR(volumeOf(floor), (10.2 * 6.2 - 1.0 - 0.5) * 0.25, kExact_m);
     expectBox(floor, {-0.1, -0.1, -0.25}, {10.1, 6.1, 0.0});
