@@ -3,6 +3,7 @@
 
 #include "S2BEntities.h"
 #include "S2BInput.h"
+#include "S2BLasHeader.h"
 #include "S2BMemory.h"
 #include "S2BOptions.h"
 #include "S2BRun.h"
@@ -46,6 +47,19 @@ namespace s2b
 		QString defaultIfcPath(const CLCloudDesc& desc)
 		{
 			return QDir(desc.path.isEmpty() ? QString(".") : desc.path).absoluteFilePath(desc.basename + ".ifc");
+		}
+
+		// CloudCompare goes on with what it could read of a truncated LAS file. Its commands that change the number of
+		// points on purpose give the cloud another name.
+		void checkComplete(const CLCloudDesc& desc)
+		{
+			for (const char* suffix : {".laz", ".las", ".LAZ", ".LAS"})
+			{
+				const QString                path  = QDir(desc.path).filePath(desc.basename + suffix);
+				const std::optional<quint64> count = lasPointCount(path);
+				if (desc.indexInFile < 0 && count && desc.pc->size() < *count)
+					throw Error(ErrorCode::BadFile, QString("the file '%1' is truncated, only %2 of its %3 points could be read: get a whole copy of it").arg(path).arg(desc.pc->size()).arg(*count).toStdString());
+			}
 		}
 
 		Context makeContext(ccCommandLineInterface& cmd, const CommandOptions& options)
@@ -101,7 +115,10 @@ namespace s2b
 			const StepMeter                  meter;
 			std::vector<const ccPointCloud*> clouds;
 			for (const CLCloudDesc& desc : cmd.clouds())
+			{
+				checkComplete(desc);
 				clouds.push_back(desc.pc);
+			}
 			const CLCloudDesc first = cmd.clouds().front();
 			const QString     path  = options.ifcPath.isEmpty() ? defaultIfcPath(first) : options.ifcPath;
 

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A plugin of the tests alone: drives CloudCompare's window from within and ends it with the number of failed checks.
+//
+//   CloudCompare ":start-plugin:S2B_window_driver" scan.bin
+//
+// S2B_DRIVER_SCENARIO says what to do, S2B_DRIVER_OUTPUT where the screenshots go.
+#include <QAction>
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QElapsedTimer>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QProgressDialog>
+#include <QPushButton>
+#include <QScreen>
+#include <QTabWidget>
+#include <QTimer>
+#include <QTreeWidget>
+#include <QtTest/QTest>
+
+#include <cstdio>
+
+#include <ccMesh.h>
+#include <ccPointCloud.h>
+#include <ccStdPluginInterface.h>
+
+namespace
+{
+
+constexpr int kStart_ms = 1500;        // CloudCompare has opened the file and shown its window by then
+constexpr int kWatchdog_ms = 240000;   // far above any scenario: a hang has to end the test
+constexpr int kCancel_ms = 500;        // the promise to the user
+
+}  // namespace
+
+class WindowDriver : public QObject, public ccStdPluginInterface
+{
+    Q_OBJECT
+    Q_INTERFACES(ccPluginInterface ccStdPluginInterface)
+    Q_PLUGIN_METADATA(IID "cccorp.cloudcompare.plugin.S2BWindowDriver" FILE "window_driver.json")
+
+public:
+    QString getName() const override { return "S2B window driver"; }
+    QList<QAction*> getActions() override { return {new QAction("S2B window driver", this)}; }
+    bool start() override
+    {
+        QTimer::singleShot(kStart_ms, this, &WindowDriver::run);
+        QTimer::singleShot(kWatchdog_ms, this, [this] {
+            check(false, "the scenario ended in time");
+            finish();
+        });
+        return true;
+    }
+
+private:
+    void check(bool isOk, const QString& claim)
+    {
+        std::printf("%s %s\n", isOk ? "ok  " : "FAIL", qPrintable(claim));
+        std::fflush(stdout);
+        m_failures += isOk ? 0 : 1;
+    }
+
+    void finish() { QCoreApplication::exit(m_failures ? 1 : 0); }
+
+    void shoot(const QString& name)
+    {
+        QTest::qWait(300);
+        m_app->getMainWindow()->screen()->grabWindow(0).save(qEnvironmentVariable("S2B_DRIVER_OUTPUT") + "/" + name + ".png");
+    }
+
+    QMenu* menu()
+    {
+        for (QAction* top : m_app->getMainWindow()->menuBar()->actions())
+        {
+            if (!top->menu() || top->text().remove('&') != "Plugins")
+                continue;
+            m_plugins = top->menu();
+            for (QAction* sub : top->menu()->actions())
+            {
+                if (sub->menu() && sub->text() == "Scan to BIM")
+                    return sub->menu();
+            }
+        }
+        return nullptr;
+    }
+
+    QAction* action(const QString& name) { return m_app->getMainWindow()->findChild<QAction*>(name) ? m_app->getMainWindow()->findChild<QAction*>(name) : actionInMenu(name); }
+    QAction* actionInMenu(const QString& name)
+    {
+        for (QAction* a : menu()->actions())
+        {
+            if (a->objectName() == name)
+                return a;
+        }
+        return nullptr;
+    }
+
+    template <typename Entity = ccHObject>
+    std::vector<Entity*> named(const QString& start)
+    {
+        std::vector<Entity*> found;
+        ccHObject::Container all;
+        m_app->dbRootObject()->filterChildren(all, true);
+        for (ccHObject* entity : all)
+        {
+            if (entity->getName().startsWith(start) && dynamic_cast<Entity*>(entity))
+                found.push_back(static_cast<Entity*>(entity));
+        }
+        return found;
+    }
+
+    ccPointCloud* cloud()
+    {
+        ccHObject::Container clouds;
+        m_app->dbRootObject()->filterChildren(clouds, true, CC_TYPES::POINT_CLOUD, true);
+        for (ccHObject* entity : clouds)
+        {
+            if (entity->getName() != "vertices")
+                return static_cast<ccPointCloud*>(entity);
+        }
+        return nullptr;
+    }
+
+    void unselectAll()
+    {
+        const ccHObject::Container selection = m_app->getSelectedEntities();
+        for (ccHObject* entity : selection)
+            m_app->setSelectedInDB(entity, false);
+        QApplication::processEvents();
+    }
+
+    void select(ccHObject* entity)
+    {
+        unselectAll();
+        m_app->setSelectedInDB(entity, true);
+        QApplication::processEvents();
+    }
+
+    // Runs `inside` as soon as a modal widget with that name is there, as a user would.
+    void whenShown(const QString& name, const std::function<void(QWidget*)>& inside, int tries = 100)
+    {
+        QTimer::singleShot(100, this, [=] {
+            QWidget* widget = QApplication::activeModalWidget();
+            if (widget && widget->objectName() == name)
+                inside(widget);
+            else if (tries > 0)
+                whenShown(name, inside, tries - 1);
+            else
+                check(false, name + " was shown");
+        });
+    }
+
+    static void press(QWidget* dialog, QDialogButtonBox::StandardButton button)
+    {
+        QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(button), Qt::LeftButton);
+    }
+
+    void run()
+    {
+        m_app->getMainWindow()->resize(1400, 900);
+        m_app->getMainWindow()->move(0, 0);
+        const QString scenario = qEnvironmentVariable("S2B_DRIVER_SCENARIO");
+        check(cloud() != nullptr, "the cloud is open");
+        check(menu() != nullptr, "Plugins > Scan to BIM is there");
+        if (!m_failures)
+        {
+            if (scenario == "reconstruct")
+                reconstruct();
+            else if (scenario == "cancel")
+                cancel();
+            else if (scenario == "labels")
+                labels();
+            else if (scenario == "reopened")
+                reopened();
+            else
+                check(false, "the scenario is known");
+        }
+        finish();
+    }
+
+    void reconstruct()
+    {
+        QAction* reconstruct = action("S2B.Reconstruct");
+        QAction* exportIfc = action("S2B.ExportIfc");
+        check(reconstruct && exportIfc, "both actions are there");
+        unselectAll();
+        check(!reconstruct->isEnabled() && !exportIfc->isEnabled(), "nothing is enabled without a selection");
+        select(cloud());
+        check(reconstruct->isEnabled() && !exportIfc->isEnabled(), "a cloud can be reconstructed, and not be exported");
+        showMenu();
+
+        const CCVector3 firstPoint = *cloud()->getPoint(0);
+        const unsigned fields = cloud()->getNumberOfScalarFields();
+        bool wasResponsive = false;
+        whenShown("S2BReconstructDlg", [&](QWidget* dialog) {
+            auto* field = dialog->findChild<QComboBox*>("labelField");
+            check(field && field->currentText() == "Classification", "the label field is proposed");
+            check(dialog->findChild<QTreeWidget*>("classes")->topLevelItemCount() > 3, "the classes are listed");
+            auto* thickness = dialog->findChild<QDoubleSpinBox*>("walls.defaultThickness");
+            thickness->setValue(0.18);
+            shoot("dialog");
+            dialog->findChild<QTabWidget*>("tabs")->setCurrentIndex(1);
+            bool isShown = false;
+            for (auto* box : dialog->findChildren<QDoubleSpinBox*>("walls.defaultThickness"))
+                isShown = isShown || (box != thickness && box->value() == 0.18);
+            check(isShown, "the expert page shows what was set in front");
+            shoot("dialog_parameters");
+            dialog->findChild<QTabWidget*>("tabs")->setCurrentIndex(0);
+            dialog->findChild<QCheckBox*>("writeIfc")->setChecked(true);
+            dialog->findChild<QLineEdit*>("ifcPath")->setText(qEnvironmentVariable("S2B_DRIVER_OUTPUT") + "/dialog.ifc");
+            whenShown("S2BProgress", [&](QWidget* progress) {
+                wasResponsive = progress->isVisible();
+                shoot("progress");
+            });
+            press(dialog, QDialogButtonBox::Ok);
+        });
+        reconstruct->trigger();
+        QTest::qWait(500);
+        check(wasResponsive, "progress was shown while it ran");
+        check(QFile::exists(qEnvironmentVariable("S2B_DRIVER_OUTPUT") + "/dialog.ifc"), "the IFC file was written");
+        checkTree();
+        check(*cloud()->getPoint(0) == firstPoint && cloud()->getNumberOfScalarFields() == fields, "the cloud is unchanged");
+        showResult();
+        exportWithoutOneWall(exportIfc);
+    }
+
+    void showMenu()
+    {
+        m_plugins->popup(m_app->getMainWindow()->menuBar()->mapToGlobal(QPoint(300, 24)));
+        for (QAction* sub : m_plugins->actions())
+        {
+            if (sub->text() == "Scan to BIM")
+                m_plugins->setActiveAction(sub);
+        }
+        shoot("menu");
+        menu()->close();
+        m_plugins->close();
+        QApplication::processEvents();
+    }
+
+    void checkTree()
+    {
+        const auto walls = named<ccMesh>("Wall ");
+        check(named("Level 0").size() == 1, "there is a storey");
+        check(!walls.empty(), QString("there are walls: %1").arg(walls.size()));
+        check(!named<ccMesh>("Door ").empty(), "there are doors");
+        for (const ccMesh* wall : walls)
+        {
+            if (wall->getParent()->getName() != "Walls" || wall->getParent()->getParent()->getName() != "Level 0")
+                return check(false, "walls are below storey > Walls");
+        }
+        check(!walls.empty() && walls.front()->hasMetaData("Thickness") && walls.front()->hasMetaData("Length"), "a wall's dimensions are meta data");
+        check(!walls.empty() && walls.front()->getAssociatedCloud()->getGlobalShift().x == cloud()->getGlobalShift().x, "the model lies over the cloud");
+    }
+
+    void showResult()
+    {
+        unselectAll();
+        m_app->setView(CC_ISO_VIEW_1);
+        m_app->setGlobalZoom();
+        m_app->redrawAll();
+        shoot("model_over_points");
+        cloud()->setEnabled(false);
+        const auto walls = named<ccMesh>("Wall ");
+        if (!walls.empty())
+            select(walls.front());
+        m_app->redrawAll();
+        shoot("model");
+        cloud()->setEnabled(true);
+    }
+
+    void exportWithoutOneWall(QAction* exportIfc)
+    {
+        const auto walls = named<ccMesh>("Wall ");
+        select(walls.back());
+        check(exportIfc->isEnabled(), "a model's wall can be exported with its model");
+        ccHObject* model = walls.back()->getParent()->getParent()->getParent();
+        unselectAll();
+        m_app->removeFromDB(walls.back());
+        select(model);
+        whenShown("S2BExportDialog", [](QWidget* dialog) {
+            auto* files = static_cast<QFileDialog*>(dialog);
+            files->selectFile(qEnvironmentVariable("S2B_DRIVER_OUTPUT") + "/without_one_wall.ifc");
+            QMetaObject::invokeMethod(files, "accept", Qt::QueuedConnection);
+        });
+        exportIfc->trigger();
+        check(QFile::exists(qEnvironmentVariable("S2B_DRIVER_OUTPUT") + "/without_one_wall.ifc"), "the corrected model was exported");
+        saveAndReport(walls.size() - 1);
+    }
+
+    void saveAndReport(std::size_t walls)
+    {
+        std::printf("walls %zu\n", walls);
+        std::fflush(stdout);
+    }
+
+    // Cancels at three moments: at once, after a while, and late. Nothing may be left each time.
+    void cancel()
+    {
+        ccHObject::Container before;
+        m_app->dbRootObject()->filterChildren(before, true);
+        for (const int delay_ms : {0, 400, 1200})
+        {
+            select(cloud());
+            QElapsedTimer sinceCancel;
+            whenShown("S2BReconstructDlg", [&](QWidget* dialog) {
+                dialog->findChild<QCheckBox*>("writeIfc")->setChecked(true);
+                dialog->findChild<QLineEdit*>("ifcPath")->setText(qEnvironmentVariable("S2B_DRIVER_OUTPUT") + "/cancelled.ifc");
+                whenShown("S2BProgress", [&, delay_ms](QWidget* progress) {
+                    QTest::qWait(delay_ms);
+                    if (delay_ms == 400)
+                        shoot("cancel");
+                    sinceCancel.start();
+                    static_cast<QProgressDialog*>(progress)->cancel();
+                });
+                press(dialog, QDialogButtonBox::Ok);
+            });
+            action("S2B.Reconstruct")->trigger();
+            const bool wasCancelled = sinceCancel.isValid();
+            const qint64 taken_ms = wasCancelled ? sinceCancel.elapsed() : -1;
+            check(wasCancelled && taken_ms < kCancel_ms, QString("cancelled %1 ms after it was shown, ended %2 ms later").arg(delay_ms).arg(taken_ms));
+            ccHObject::Container after;
+            m_app->dbRootObject()->filterChildren(after, true);
+            check(after.size() == before.size(), "the tree is as it was");
+            check(!QFile::exists(qEnvironmentVariable("S2B_DRIVER_OUTPUT") + "/cancelled.ifc"), "no file was left");
+        }
+    }
+
+    // A map that does not know the codes must be settled before anything can run.
+    void labels()
+    {
+        select(cloud());
+        whenShown("S2BReconstructDlg", [&](QWidget* dialog) {
+            auto* ok = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+            auto* field = dialog->findChild<QComboBox*>("labelField");
+            check(!ok->isEnabled(), "codes that the map does not know can't be reconstructed");
+            shoot("dialog_unknown_codes");
+            field->setCurrentIndex(0);
+            check(ok->isEnabled(), "the geometry alone can be");
+            press(dialog, QDialogButtonBox::Cancel);
+        });
+        action("S2B.Reconstruct")->trigger();
+        check(named<ccMesh>("Wall ").empty(), "closing the dialog runs nothing");
+    }
+
+    // The model came back from a .bin file.
+    void reopened()
+    {
+        const auto walls = named<ccMesh>("Wall ");
+        check(!walls.empty(), "the walls are there again");
+        if (walls.empty())
+            return;
+        select(walls.front());
+        check(action("S2B.ExportIfc")->isEnabled(), "the model can be exported after reopening");
+    }
+
+    QMenu* m_plugins = nullptr;
+    int m_failures = 0;
+};
+
+#include "window_driver.moc"
