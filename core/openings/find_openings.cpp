@@ -125,7 +125,7 @@ OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, co
             const double inset = std::min(0.02, view.half_m / 3);
             return mask.share(wall.start + t * from, wall.start + t * to, -view.half_m + inset, view.half_m - inset, PlanMask::Floor);
         };
-        for (const Hole& h : voidsFromFloor(view, floorSeen, params.minimumDoorWidth_m, params.maximumDoorWidth_m, params.minimumDoorHeight_m))
+        for (const Hole& h : voidsFromFloor(view, taken, floorSeen, params.minimumDoorWidth_m, params.maximumDoorWidth_m, params.minimumDoorHeight_m))
         {
             if (std::any_of(taken.begin(), taken.end(), [&](const Hole& k) { return k.overlaps(h); }))
                 continue;

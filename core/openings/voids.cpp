@@ -14,7 +14,7 @@ namespace
 class FaceRaster
 {
 public:
-    FaceRaster(const WallView& view)
+    FaceRaster(const WallView& view, const std::vector<Hole>& taken)
         : m_step(std::max(0.04, 1.5 * view.cell_m)), m_begin(view.wall->bodyStart_m),
           m_columns(std::max(1, static_cast<int>(std::ceil((view.wall->bodyEnd_m - m_begin) / m_step)))),
           m_rows(std::max(1, static_cast<int>(std::ceil(view.wall->height.value_m / m_step)))),
@@ -28,6 +28,13 @@ public:
             if (x >= 0 && x < m_columns && y >= 0 && y < m_rows)
                 m_covered[at(x, y)] = 1;
         }
+        // A hole that is known already is no part of another.
+        for (const Hole& h : taken)
+            for (int x = 0; x < m_columns; ++x)
+                if (const double centre = s(x) + m_step / 2; centre > h.begin && centre < h.end)
+                    for (int y = 0; y < m_rows; ++y)
+                        if (y * m_step > h.bottom - m_step && y * m_step < h.top)
+                            m_covered[at(x, y)] = 1;
     }
     [[nodiscard]] int columns() const { return m_columns; }
     [[nodiscard]] double s(int column) const { return m_begin + m_step * column; }
@@ -82,6 +89,16 @@ std::optional<double> headNear(const WallView& view, double begin, double end, d
     return median(at);
 }
 
+/// Door points within a leaf's reach outside the body.
+bool leafBeside(const WallView& view, const Hole& h)
+{
+    double cells = 0;
+    for (const WallPoint& p : view.points)
+        cells += p.label == Label::Door && p.s > h.begin - h.width() - 0.1 && p.s < h.end + h.width() + 0.1 &&
+                 std::abs(p.d) < view.half_m + h.width() + 0.1 && p.z < h.top + 0.1;
+    return cells * view.cell_m * view.cell_m > 0.2 * h.width() * h.height();
+}
+
 /// Where the faces end towards the hole: the outermost of their points.
 double faceEdge(const WallView& view, double s, bool holeIsRight, double bottom, double top)
 {
@@ -99,13 +116,13 @@ double faceEdge(const WallView& view, double s, bool holeIsRight, double bottom,
 
 }  // namespace
 
-std::vector<Hole> voidsFromFloor(const WallView& view, const std::function<double(double, double)>& floorSeen,
+std::vector<Hole> voidsFromFloor(const WallView& view, const std::vector<Hole>& taken, const std::function<double(double, double)>& floorSeen,
                                  double minimumWidth_m, double maximumWidth_m, double minimumHeight_m)
 {
     std::vector<Hole> holes;
     if (!view.leftSeen && !view.rightSeen)
         return holes;
-    const FaceRaster raster(view);
+    const FaceRaster raster(view, taken);
     for (int c = 0; c < raster.columns();)
     {
         if (raster.openUpTo(c) < minimumHeight_m)
@@ -128,13 +145,16 @@ std::vector<Hole> voidsFromFloor(const WallView& view, const std::function<doubl
             continue;
         const double low = 0.2, high = h.top - 0.15;
         const std::optional<double> left = jambNear(view, h.begin, low, high, 0.12), right = jambNear(view, h.end, low, high, 0.12);
-        // Open is what was seen through: the floor runs on through the wall, or both jambs were seen.
-        if (floorSeen(h.begin + 0.1, h.end - 0.1) < 0.25 && !(left && right))
+        const std::optional<double> head = headNear(view, h.begin + 0.05, h.end - 0.05, h.top);
+        // Open is what was seen through: the floor runs on through the wall, jambs and head show the wall's depth, or a
+        // leaf stands beside it. One sign alone may be a shadow.
+        const int signs = 2 * (floorSeen(h.begin + 0.1, h.end - 0.1) > 0.25) + left.has_value() + right.has_value() +
+                          head.has_value() + leafBeside(view, h);
+        if (signs < 2)
             continue;
         h.begin = left.value_or(faceEdge(view, h.begin, true, low, high));
         h.end = right.value_or(faceEdge(view, h.end, false, low, high));
-        if (const auto head = headNear(view, h.begin + 0.05, h.end - 0.05, h.top))
-            h.top = *head;
+        h.top = head.value_or(h.top);
         if (h.width() >= minimumWidth_m && h.width() <= maximumWidth_m)
             holes.push_back(h);
     }

@@ -58,8 +58,10 @@ struct WallView
 [[nodiscard]] std::vector<Hole> labelledHoles(const WallView& view, OpeningKind kind, double clusterRadius_m, double maximumDoorWidth_m);
 
 /// Holes from the floor up, from what is missing in the faces.
+/// @param taken      holes that are known already
 /// @param floorSeen  share of the floor that was seen within the body between two places along the axis
-[[nodiscard]] std::vector<Hole> voidsFromFloor(const WallView& view, const std::function<double(double, double)>& floorSeen,
+[[nodiscard]] std::vector<Hole> voidsFromFloor(const WallView& view, const std::vector<Hole>& taken,
+                                               const std::function<double(double, double)>& floorSeen,
                                                double minimumWidth_m, double maximumWidth_m, double minimumHeight_m);
 
 }  // namespace s2b

@@ -288,39 +288,56 @@ std::vector<Face> gather(const std::vector<Line>& lines, const SurfaceCells& cel
     return faces;
 }
 
-/// Distance from the face to the first seen floor or ceiling on each side: the room is on the nearer one.
-int roomSide(const Face& face, const PlanMask& mask, PlanMask::Layer layer)
+/// Which side of the face shows floor or ceiling right beside it: that is the room's. Where neither does, free space
+/// further away on one side only is seen across the wall's own body (the outer face of an external wall).
+struct Side
 {
-    constexpr double reach = 0.7, step = 0.01;
-    std::array<std::vector<double>, 2> distances;
-    const int samples = std::max(1, static_cast<int>((face.length() - 0.1) / 0.08));
-    for (int i = 0; i < samples; ++i)
+    int side = 0;          ///< as Face::side
+    bool isBeside = false; ///< seen right beside the face, not across a body
+};
+
+Side roomSide(const Face& face, const PlanMask& mask, PlanMask::Layer layer)
+{
+    // The pixel that the face itself lies in says nothing.
+    const double nearBegin = 0.75 * mask.pixel_m(), nearEnd = std::max(0.10, 2.5 * mask.pixel_m()), farEnd = 0.7;
+    const Eigen::Vector2d a = face.at(face.begin), b = face.at(face.end);
+    const double left = mask.share(a, b, nearBegin, nearEnd, layer), right = mask.share(a, b, -nearEnd, -nearBegin, layer);
+    if (std::max(left, right) > 0.4)
+        return {std::abs(left - right) > 0.2 ? (left > right ? 1 : -1) : 0, true};
+    const double farLeft = mask.share(a, b, nearEnd, farEnd, layer), farRight = mask.share(a, b, -farEnd, -nearEnd, layer);
+    if (std::max(farLeft, farRight) < 0.2 || std::min(farLeft, farRight) > 0.08)
+        return {};
+    return {farLeft > farRight ? -1 : 1, false};
+}
+
+/// Sides of all faces. A face without free space right beside it (a stair, a shaft) follows a collinear one that has it.
+void findSides(std::vector<Face>& faces, const PlanMask& mask, double sameOffset)
+{
+    const PlanMask::Layer main = mask.mainLayer(), second = main == PlanMask::Ceiling ? PlanMask::Floor : PlanMask::Ceiling;
+    std::vector<char> isSure(faces.size(), 0);
+    for (std::size_t i = 0; i < faces.size(); ++i)
     {
-        const Eigen::Vector2d p = face.at(face.begin + face.length() * (i + 0.5) / samples);
-        for (int k = 0; k < 2; ++k)
+        Side best = roomSide(faces[i], mask, main);
+        if (const Side other = roomSide(faces[i], mask, second); best.side == 0 || (!best.isBeside && other.isBeside && other.side != 0))
+            best = other;
+        faces[i].side = best.side;
+        isSure[i] = best.isBeside && best.side != 0;
+    }
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+        if (isSure[i])
+            continue;
+        double nearest = 10.0;
+        for (std::size_t j = 0; j < faces.size(); ++j)
         {
-            double d = step;
-            while (d < reach && !mask.seen(p + face.n() * (k == 0 ? d : -d), layer))
-                d += step;
-            distances[static_cast<std::size_t>(k)].push_back(d);
+            if (!isSure[j] || std::abs(faces[i].t.dot(faces[j].n())) > 0.02)
+                continue;
+            const double gap = std::max(faces[j].begin - faces[i].end, faces[i].begin - faces[j].end);
+            const double offset = faces[i].n().dot(faces[j].at((faces[j].begin + faces[j].end) / 2)) - faces[i].offset;
+            if (gap < nearest && std::abs(offset) < sameOffset)
+                nearest = gap, faces[i].side = faces[j].side;
         }
     }
-    const auto median = [](std::vector<double>& v)
-    {
-        std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
-        return v[v.size() / 2];
-    };
-    const double left = median(distances[0]), right = median(distances[1]);
-    const double near = std::min(left, right);
-    if (near >= reach || std::abs(left - right) < 0.025)
-        return 0;
-    // Free space begins at the face on the room's side. Where it begins further away, the wall's own body lies between
-    // (the outer face of an external wall): the face looks the other way.
-    constexpr double touching = 0.10;
-    if (near > touching && std::max(left, right) < reach)
-        return 0;
-    const int nearSide = left < right ? 1 : -1;
-    return near <= touching ? nearSide : -nearSide;
 }
 
 }  // namespace
@@ -357,12 +374,7 @@ std::vector<Face> findFaces(const SurfaceCells& cells, const Level& level, const
             std::tie(l.begin, l.end) = std::pair(-l.end, -l.begin);
         }
     std::vector<Face> faces = gather(lines, cells, level, params);
-    for (Face& f : faces)
-    {
-        f.side = roomSide(f, mask, mask.mainLayer());
-        if (f.side == 0)
-            f.side = roomSide(f, mask, mask.mainLayer() == PlanMask::Ceiling ? PlanMask::Floor : PlanMask::Ceiling);
-    }
+    findSides(faces, mask, params.mergeOffset_m);
     return faces;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/walls/faces.h"
+#include "core/walls/heights.h"
 #include "core/walls/parallel_planes.h"
 #include "core/walls/plan_mask.h"
 #include "core/walls/thickness.h"
@@ -15,22 +16,6 @@ namespace s2b
 {
 namespace
 {
-
-/// Height that the wall's faces reach, as the value that a quarter of their places exceed.
-double measuredTop(const WallBody& body, const std::vector<Face>& faces, const Level& level)
-{
-    std::vector<int> tops;
-    for (const auto* list : {&body.lowFaces, &body.highFaces})
-        for (const std::uint32_t f : *list)
-            for (const std::uint64_t rows : faces[f].rows)
-                if (rows)
-                    tops.push_back(64 - std::countl_zero(rows));
-    if (tops.empty())
-        return level.ceiling_m;
-    const auto at = tops.begin() + static_cast<std::ptrdiff_t>(0.75 * static_cast<double>(tops.size() - 1));
-    std::nth_element(tops.begin(), at, tops.end());
-    return level.floor_m + Face::kRow_m * *at;
-}
 
 Evidence evidenceOf(const WallBody& body, const std::vector<Face>& faces, double height)
 {
@@ -87,6 +72,7 @@ WallResult findWalls(const SurfaceCells& cells, const CellIndex& index, const Le
     std::vector<WallBody> bodies = pairFaces(faces, mask, params);
     settleThickness(bodies, cells, index, level, mask, params);
     bodies = mergeBodies(std::move(bodies), mask, params);
+    bodies = settleHeights(std::move(bodies), faces, level, mask);
     context.checkCancelled();
     const Plan plan = connectWalls(std::move(bodies), mask, params);
 
@@ -94,9 +80,8 @@ WallResult findWalls(const SurfaceCells& cells, const CellIndex& index, const Le
     for (std::size_t i = 0; i < plan.walls.size(); ++i)
     {
         const PlanWall& p = plan.walls[i];
-        const double top = measuredTop(p.body, faces, level);
-        const bool reachesCeiling = top > level.ceiling_m - 0.35;
-        const double height = (reachesCeiling ? level.ceiling_m : top) - level.floor_m;
+        const bool reachesCeiling = p.body.top >= level.ceiling_m;
+        const double height = p.body.top - p.body.bottom;
         if (height < params.minimumHeight_m || p.axisEnd - p.axisBegin < 0.5 * params.minimumLength_m || p.body.end - p.body.begin < 0.5 * params.minimumLength_m)
             continue;
         Wall w;
@@ -107,7 +92,7 @@ WallResult findWalls(const SurfaceCells& cells, const CellIndex& index, const Le
         w.end = p.body.t * p.axisEnd + p.body.n() * middle;
         w.bodyStart_m = p.body.begin - p.axisBegin;
         w.bodyEnd_m = p.body.end - p.axisBegin;
-        w.base_m = level.floor_m;
+        w.base_m = p.body.bottom;
         w.height = {height, level.ceilingSeen || !reachesCeiling ? Provenance::Measured : Provenance::Assumed, level.floorRms_m};
         w.evidence = evidenceOf(p.body, faces, height);
         w.thickness = {p.body.thickness(), p.body.bothSeen() ? Provenance::Measured : Provenance::Assumed, w.evidence.rms_m};

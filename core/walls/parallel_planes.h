@@ -19,6 +19,7 @@ struct WallBody
     double low = 0.0, high = 0.0;
     bool lowSeen = false, highSeen = false;  ///< by a face; else assumed
     double begin = 0.0, end = 0.0;
+    double bottom = 0.0, top = 0.0;  ///< heights; set by settleHeights()
     std::vector<std::uint32_t> lowFaces, highFaces;
 
     [[nodiscard]] Eigen::Vector2d n() const { return {-t.y(), t.x()}; }

@@ -38,7 +38,7 @@ std::optional<double> revealDepth(const WallBody& body, const SurfaceCells& cell
         const double depth = sign * (n.dot(p) - face), s = body.t.dot(p);
         if (depth < 0.03 || depth > params.maximumThickness_m || s < body.begin + 0.1 || s > body.end - 0.1)
             return;
-        if (cells.hasLabels && c.label != Label::Window && c.label != Label::Door && c.label != Label::Wall)
+        if (cells.hasLabels && c.label != Label::Window && c.label != Label::Wall)  // a leaf may stand open beyond the wall
             return;
         // Surfaces across the wall: jambs, sills, heads; and window frames and panes whatever their direction.
         const double across = std::abs(n.x() * static_cast<double>(c.normal.x()) + n.y() * static_cast<double>(c.normal.y()));
@@ -106,19 +106,29 @@ void settleThickness(std::vector<WallBody>& bodies, const SurfaceCells& cells, c
         }
         open.push_back(&b);
     }
-    // Kinds: external walls have nothing seen behind them, internal ones do.
+    // Kinds: behind an internal wall the building goes on, if not at once (a closet or shaft that was not scanned).
     const auto isExternal = [&](const WallBody& b)
     {
+        constexpr double reach = 4.0, step = 0.1;
         const double face = b.lowSeen ? b.low : b.high, sign = b.lowSeen ? 1.0 : -1.0;
-        const Eigen::Vector2d from = b.t * b.begin + b.n() * face, to = b.t * b.end + b.n() * face;
-        const double low = sign > 0 ? 0.10 : -1.2, high = sign > 0 ? 1.2 : -0.10;
-        return mask.share(from, to, low, high, PlanMask::Floor) < 0.05 && mask.share(from, to, low, high, PlanMask::Ceiling) < 0.05;
+        const int samples = std::max(3, static_cast<int>((b.end - b.begin) / 0.2));
+        int hits = 0;
+        for (int i = 0; i < samples; ++i)
+        {
+            const Eigen::Vector2d from = b.t * (b.begin + (b.end - b.begin) * (i + 0.5) / samples) + b.n() * face;
+            bool hit = false;
+            for (double d = 0.1; d < reach && !hit; d += step)
+                hit = mask.seen(from + b.n() * (sign * d), PlanMask::Ceiling) ||
+                      (mask.mainLayer() == PlanMask::Floor && mask.seen(from + b.n() * (sign * d), PlanMask::Floor));
+            hits += hit;
+        }
+        return 2 * hits < samples;
     };
-    std::vector<std::pair<double, double>> internal, external;
+    std::vector<std::pair<double, double>> internal, revealed;
     for (const WallBody& b : bodies)
         if (b.bothSeen())
             internal.emplace_back(b.thickness(), b.end - b.begin);
-    std::vector<WallBody*> externalOpen, internalOpen;
+    std::vector<WallBody*> externalOpen, internalOpen, externalRevealed;
     for (WallBody* b : open)
     {
         const std::optional<double> depth = revealDepth(*b, cells, index, level, params);
@@ -127,13 +137,24 @@ void settleThickness(std::vector<WallBody>& bodies, const SurfaceCells& cells, c
         {
             setThickness(*b, std::max(*depth, params.minimumThickness_m));
             if (outside)
-                external.emplace_back(*depth, b->end - b->begin);
+            {
+                revealed.emplace_back(*depth, b->end - b->begin);
+                externalRevealed.push_back(b);
+            }
         }
         else
             (outside ? externalOpen : internalOpen).push_back(b);
     }
-    const double externalThickness = external.empty() ? params.defaultExternalThickness_m : weightedMedian(external);
+    // A reveal is seen up to a frame at most: the deepest one of the kind tells the thickness best.
+    double deepest = 0;
+    for (const auto& [depth, length] : revealed)
+        deepest = std::max(deepest, depth);
+    for (WallBody* b : externalRevealed)
+        if (b->thickness() > 0.75 * deepest)
+            setThickness(*b, deepest);
     const double internalThickness = internal.empty() ? params.defaultThickness_m : weightedMedian(internal);
+    const double externalThickness =
+        !revealed.empty() ? deepest : (internal.empty() ? params.defaultExternalThickness_m : internalThickness);
     for (WallBody* b : externalOpen)
         setThickness(*b, externalThickness);
     for (WallBody* b : internalOpen)

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/walls/heights.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace s2b
+{
+namespace
+{
+
+constexpr double kStep_m = 0.10;         // along the wall
+constexpr double kSmallestStep_m = 0.5;  // of the top, to be another height
+constexpr double kSmallestPiece_m = 0.8;
+
+struct Place
+{
+    double top = 0, bottom = 0;
+    bool seen = false;
+};
+
+/// Highest and lowest surface of the body's faces, place by place.
+std::vector<Place> placesOf(const WallBody& body, const std::vector<Face>& faces, const Level& level)
+{
+    std::vector<Place> places(static_cast<std::size_t>(std::max(1.0, std::ceil((body.end - body.begin) / kStep_m))));
+    for (const auto* list : {&body.lowFaces, &body.highFaces})
+        for (const std::uint32_t f : *list)
+            for (std::size_t b = 0; b < faces[f].rows.size(); ++b)
+            {
+                const std::uint64_t rows = faces[f].rows[b];
+                const double s = faces[f].begin + (static_cast<double>(b) + 0.5) * Face::kBin_m;
+                const auto i = static_cast<std::ptrdiff_t>(std::floor((s - body.begin) / kStep_m));
+                if (!rows || i < 0 || i >= static_cast<std::ptrdiff_t>(places.size()))
+                    continue;
+                Place& p = places[static_cast<std::size_t>(i)];
+                const double top = level.floor_m + Face::kRow_m * (64 - std::countl_zero(rows)), bottom = level.floor_m + Face::kRow_m * std::countr_zero(rows);
+                p.top = p.seen ? std::max(p.top, top) : top;
+                p.bottom = p.seen ? std::min(p.bottom, bottom) : bottom;
+                p.seen = true;
+            }
+    return places;
+}
+
+double quantile(std::vector<double> values, double q)
+{
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+/// Where the top changes for good: places to split at, ascending.
+std::vector<std::size_t> splitsOf(const std::vector<Place>& places)
+{
+    std::vector<std::size_t> splits;
+    const auto window = static_cast<std::size_t>(kSmallestPiece_m / kStep_m);
+    // Median top of a stretch that has one top; -1 for a sloped or hardly seen one.
+    const auto topOf = [&](std::size_t first, std::size_t last)
+    {
+        std::vector<double> tops;
+        for (std::size_t i = first; i < last; ++i)
+            if (places[i].seen)
+                tops.push_back(places[i].top);
+        if (tops.size() * 4 < (last - first) * 3 || quantile(tops, 0.85) - quantile(tops, 0.15) > 1.5 * Face::kRow_m)
+            return -1.0;
+        return quantile(tops, 0.5);
+    };
+    std::size_t i = window;
+    while (i + window <= places.size())
+    {
+        const double before = topOf(i - window, i), after = topOf(i, i + window);
+        if (before < 0 || after < 0 || std::abs(before - after) < kSmallestStep_m)
+        {
+            ++i;
+            continue;
+        }
+        // The exact place: where single places change sides.
+        const double middle = (before + after) / 2;
+        std::size_t at = i;
+        std::size_t fewest = places.size();
+        for (std::size_t k = i - window / 2; k <= std::min(places.size() - 1, i + window); ++k)
+        {
+            std::size_t wrong = 0;
+            for (std::size_t m = i - window; m < std::min(places.size(), i + 2 * window); ++m)
+                wrong += places[m].seen && ((places[m].top > middle) != (m < k ? before > middle : after > middle));
+            if (wrong < fewest)
+                fewest = wrong, at = k;
+        }
+        // A step is abrupt; anything else is a slope.
+        const double justBefore = topOf(at - 2, at), justAfter = topOf(at, std::min(places.size(), at + 2));
+        if (justBefore >= 0 && justAfter >= 0 && std::abs(justBefore - justAfter) > 0.6 * std::abs(before - after))
+            splits.push_back(at);
+        i = at + window;
+    }
+    return splits;
+}
+
+}  // namespace
+
+std::vector<WallBody> settleHeights(std::vector<WallBody> bodies, const std::vector<Face>& faces, const Level& level, const PlanMask& mask)
+{
+    std::vector<WallBody> result;
+    for (const WallBody& whole : bodies)
+    {
+        const std::vector<Place> places = placesOf(whole, faces, level);
+        // With one face seen a lower top may as well be hidden (stairs, furniture).
+        std::vector<std::size_t> ends = whole.bothSeen() ? splitsOf(places) : std::vector<std::size_t>{};
+        ends.push_back(places.size());
+        std::size_t first = 0;
+        for (const std::size_t last : ends)
+        {
+            WallBody piece = whole;
+            piece.begin = first == 0 ? whole.begin : whole.begin + static_cast<double>(first) * kStep_m;
+            piece.end = last == places.size() ? whole.end : whole.begin + static_cast<double>(last) * kStep_m;
+            std::vector<double> tops, bottoms;
+            for (std::size_t i = first; i < last; ++i)
+                if (places[i].seen)
+                    tops.push_back(places[i].top), bottoms.push_back(places[i].bottom);
+            first = last;
+            piece.bottom = level.floor_m;
+            piece.top = level.ceiling_m;
+            if (!tops.empty())
+            {
+                const double top = quantile(tops, 0.75), bottom = quantile(bottoms, 0.1);
+                if (top < level.ceiling_m - 0.35)
+                    piece.top = top;
+                const Eigen::Vector2d a = piece.t * piece.begin, b = piece.t * piece.end;
+                const double inset = std::min(0.03, piece.thickness() / 4);
+                if (bottom > level.floor_m + 1.0 && mask.share(a, b, piece.low + inset, piece.high - inset, PlanMask::Floor) > 0.5)
+                    piece.bottom = bottom;
+            }
+            result.push_back(std::move(piece));
+        }
+    }
+    return result;
+}
+
+}  // namespace s2b
