@@ -149,7 +149,7 @@ std::map<int, MeshElement> readMeshes(IfcParse::IfcFile& file, const ReadOptions
     return elements;
 }
 
-std::vector<StoreyInfo> readStoreys(IfcParse::IfcFile& file, ifcopenshell::geometry::Converter& converter,
+std::vector<StoreyInfo> readStoreys(IfcParse::IfcFile& file, ifcopenshell::geometry::abstract_mapping& mapping,
                                     const std::optional<MapConversion>& toMap)
 {
     std::vector<StoreyInfo> storeys;
@@ -161,7 +161,7 @@ std::vector<StoreyInfo> readStoreys(IfcParse::IfcFile& file, ifcopenshell::geome
         StoreyInfo storey = {guidOf(instance), attributeText(instance, "Name"), 0.0};
         if (attributeInstance(instance, "ObjectPlacement") != nullptr)
         {
-            const auto item = taxonomy::dcast<taxonomy::geom_item>(converter.mapping()->map(instance));
+            const auto item = taxonomy::dcast<taxonomy::geom_item>(mapping.map(instance));
             if (item && item->matrix)
             {
                 const Eigen::Vector3d origin = item->matrix->ccomponents().topRightCorner<3, 1>();
@@ -169,8 +169,7 @@ std::vector<StoreyInfo> readStoreys(IfcParse::IfcFile& file, ifcopenshell::geome
             }
         }
         else
-            storey.elevation_m =
-                attributeNumber(instance, "Elevation").value_or(0.0) * converter.mapping()->get_length_unit();
+            storey.elevation_m = attributeNumber(instance, "Elevation").value_or(0.0) * mapping.get_length_unit();
         storeys.push_back(std::move(storey));
     }
     std::stable_sort(storeys.begin(), storeys.end(),
@@ -198,11 +197,13 @@ IfcModel readOpened(IfcParse::IfcFile& file, const ReadOptions& options)
 {
     IfcModel model;
     model.schema = file.schema()->name();
-    Settings converterSettings = settingsOf(options);
-    ifcopenshell::geometry::Converter converter("opencascade", &file, converterSettings);
-    model.mapConversion = mapConversionOf(file, converter.mapping()->get_length_unit());
+    Settings mappingSettings = settingsOf(options);
+    const std::unique_ptr<ifcopenshell::geometry::abstract_mapping> mapping(
+        ifcopenshell::geometry::impl::mapping_implementations().construct(&file, mappingSettings));
+    mapping->initialize_settings();  // finds the units
+    model.mapConversion = mapConversionOf(file, mapping->get_length_unit());
     const auto toMap = options.applyMapConversion ? model.mapConversion : std::nullopt;
-    model.storeys = readStoreys(file, converter, toMap);
+    model.storeys = readStoreys(file, *mapping, toMap);
     std::map<int, MeshElement> elements = readMeshes(file, options, Relations(file), toMap);
     model.withoutMesh = missingMeshes(file, elements);
     for (auto& [id, element] : elements)
