@@ -116,9 +116,9 @@ TEST(FitCircle, KeepsToTheLimitsOfTheRadius)
 
 TEST(FitCircle, CountsWeights)
 {
-    Points points = noisyArc({0, 0}, 0.5, kFullTurn, 0.0, 300, 8);
+    Points points = noisyArc({0, 0}, 0.5, kFullTurn, 1e-12, 300, 8);
     std::vector<double> weights(points.size(), 1.0);
-    const Points heavy = noisyArc({3, 0}, 0.2, kFullTurn, 0.0, 100, 9);
+    const Points heavy = noisyArc({3, 0}, 0.2, kFullTurn, 1e-12, 100, 9);
     points.insert(points.end(), heavy.begin(), heavy.end());
     weights.resize(points.size(), 10.0);
     const auto fit = fitCircle(points, weights, {});
