@@ -13,6 +13,7 @@ namespace
 {
 
 constexpr double kColumn_m = 0.10;   // edge of the plan columns in which floors meet their ceilings
+constexpr double kSlab_m = 0.8;      // thickest slab with its finishes
 constexpr double kMergeZ_m = 0.06;   // surfaces closer than this in one column are one
 
 /// A horizontal (or, looking up, sloped) surface in one plan column.
@@ -36,11 +37,14 @@ bool sameColumn(const Surface& a, const Surface& b) { return a.x == b.x && a.y =
 
 std::vector<Surface> surfacesByColumn(const SurfaceCells& cells)
 {
+    // Stray cells (mixed pixels, what was seen through windows) are no surface.
+    const int minimumCells = std::max(2, static_cast<int>(0.2 * (kColumn_m / cells.size_m) * (kColumn_m / cells.size_m)));
     std::vector<Surface> raw;
     for (const SurfaceCell& c : cells.cells)
     {
         const double nz = std::abs(static_cast<double>(c.normal.z()));
-        if (nz < 0.35)
+        // A sloped ceiling is still a surface; foliage is not.
+        if (nz < 0.35 || (nz < 0.95 && static_cast<double>(c.flatness) > 0.45 * cells.size_m))
             continue;
         if (cells.hasLabels && (c.label == Label::Furniture || c.label == Label::Stair || c.label == Label::Door ||
                                 c.label == Label::Window || c.label == Label::Wall || c.label == Label::Column))
@@ -76,7 +80,8 @@ std::vector<Surface> surfacesByColumn(const SurfaceCells& cells)
         s.isLevel = 2 * level > n;
         s.maybeFloor = 2 * floorVotes > n;
         s.maybeCeiling = 2 * ceilingVotes > n;
-        merged.push_back(s);
+        if (n >= minimumCells)
+            merged.push_back(s);
     }
     return merged;
 }
@@ -190,6 +195,10 @@ LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, con
         const Surface& s = surfaces[i];
         if (!s.isLevel || !s.maybeFloor)
             continue;
+        // A slab's underside: right above it is a surface with room above that.
+        if (i + 2 < surfaces.size() && sameColumn(surfaces[i + 1], s) && surfaces[i + 1].isLevel && surfaces[i + 1].z - s.z < kSlab_m &&
+            sameColumn(surfaces[i + 2], s) && surfaces[i + 2].z - surfaces[i + 1].z >= params.minimumRoomHeight_m)
+            continue;
         // The next surface that may be a ceiling (furniture above the floor is not one).
         std::size_t j = i + 1;
         while (j < surfaces.size() && sameColumn(surfaces[j], s) &&
@@ -251,6 +260,16 @@ LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, con
         }
         else
             level.ceiling_m = slopedTop;  // settled below, when the next floor is known
+        // What the level below has as its ceiling is no floor; nor is what stands in its room, unless it is a large part
+        // of the plan (a mezzanine, a half-level) and not furniture.
+        if (!result.levels.empty())
+        {
+            const Level& below = result.levels.back();
+            const bool isItsCeiling = below.ceilingSeen && std::abs(level.floor_m - below.ceiling_m) < 0.06;
+            const bool standsInIt = level.floor_m < below.ceiling_m - 0.1 && level.floor_m - below.floor_m < params.minimumRoomHeight_m;
+            if (isItsCeiling || (standsInIt && level.floorArea_m2 < 0.4 * below.floorArea_m2))
+                continue;
+        }
         result.levels.push_back(level);
     }
     for (std::size_t i = 0; i < result.levels.size(); ++i)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -288,6 +289,22 @@ std::vector<Face> gather(const std::vector<Line>& lines, const SurfaceCells& cel
     return faces;
 }
 
+/// Without labels: is it a face of a wall, or of something that stands in the room or hangs on a wall? Walls reach the
+/// ceiling, at least where no opening interrupts them; leaves, cupboards and sills don't.
+bool reachesCeiling(const Face& face, const Level& level)
+{
+    // A sloped or unseen ceiling has no height to compare with.
+    const double wanted = level.ceilingSeen ? level.ceiling_m - level.floor_m - 0.45 : 1.0;
+    std::size_t seen = 0, reaching = 0;
+    for (const std::uint64_t rows : face.rows)
+        if (rows)
+        {
+            ++seen;
+            reaching += Face::kRow_m * (64 - std::countl_zero(rows)) >= wanted;
+        }
+    return 2 * reaching > seen;
+}
+
 /// Which side of the face shows floor or ceiling right beside it: that is the room's. Where neither does, free space
 /// further away on one side only is seen across the wall's own body (the outer face of an external wall).
 struct Side
@@ -374,6 +391,8 @@ std::vector<Face> findFaces(const SurfaceCells& cells, const Level& level, const
             std::tie(l.begin, l.end) = std::pair(-l.end, -l.begin);
         }
     std::vector<Face> faces = gather(lines, cells, level, params);
+    if (!cells.hasLabels)
+        std::erase_if(faces, [&](const Face& f) { return !reachesCeiling(f, level); });
     findSides(faces, mask, params.mergeOffset_m);
     return faces;
 }
