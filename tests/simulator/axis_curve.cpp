@@ -104,10 +104,12 @@ Eigen::Vector2d AxisCurve::meet(double offset, const AxisCurve& other, double ot
 EndGap endGap(const AxisCurve& wall, double thickness_m, bool atEnd, const AxisCurve& other, double otherThickness_m)
 {
     constexpr double kStep_m = 0.002;
+    // Signed towards this wall: at a joint of a thick wall with a thin one a corner may come out on the far side.
+    const double facing = other.project(wall.at(wall.length() / 2.0)).y() > 0.0 ? 1.0 : -1.0;
     const auto outside = [&](double gap, double side)
     {
         const double s = atEnd ? wall.length() - gap : gap;
-        return std::abs(other.project(wall.at(s, side * thickness_m / 2.0)).y()) - otherThickness_m / 2.0;
+        return facing * other.project(wall.at(s, side * thickness_m / 2.0)).y() - otherThickness_m / 2.0;
     };
     // Both functions rise from the other's axis outwards; the first crossing is refined by bisection.
     const auto crossing = [&](const auto& f)

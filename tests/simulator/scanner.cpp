@@ -108,7 +108,7 @@ public:
             returns[i] = shoot(directions[i], r);
         }
         for (std::size_t i = 0; i < count; ++i)
-            measure(directions[i], returns[i], returns[(i + 1) % count].range_m, random[i], out);
+            measure(directions[i], returns[i], returns[(i + 1) % count], directions[(i + 1) % count], random[i], out);
     }
 
 private:
@@ -141,8 +141,24 @@ private:
         return result;
     }
 
-    void measure(const Eigen::Vector3f& direction, const Return& hit, float neighbour_m, Random& random,
-                 Survey& out) const
+    /// Whether two neighbouring rays end on different things, one behind the other: not on one plane seen at a grazing
+    /// angle.
+    bool isEdge(const Return& a, const Eigen::Vector3f& directionA, const Return& b,
+                const Eigen::Vector3f& directionB) const
+    {
+        constexpr float kLeast_m = 0.04F;
+        constexpr float kMost_m = 2.5F;  // two returns this far apart are told apart
+        constexpr float kFlat_m = 0.01F;
+        const float jump = std::abs(a.range_m - b.range_m);
+        if (!(jump > kLeast_m && jump < kMost_m))
+            return false;
+        const Eigen::Vector3f between = directionA * a.range_m - directionB * b.range_m;
+        return std::abs(between.dot(m_normals[a.triangle])) > kFlat_m &&
+               std::abs(between.dot(m_normals[b.triangle])) > kFlat_m;
+    }
+
+    void measure(const Eigen::Vector3f& direction, const Return& hit, const Return& neighbour,
+                 const Eigen::Vector3f& neighbourDirection, Random& random, Survey& out) const
     {
         double range = static_cast<double>(hit.range_m);
         if (!std::isfinite(range) || hit.isLost || range < m_settings.rangeMin_m || range > m_settings.rangeMax_m)
@@ -156,12 +172,11 @@ private:
                 return;
         }
         bool isMixed = false;
-        const double jump = std::abs(static_cast<double>(neighbour_m) - range);
-        if (jump > 0.04 && jump < 2.5 && random.chance(m_settings.mixedPixels))
+        if (isEdge(hit, direction, neighbour, neighbourDirection) && random.chance(m_settings.mixedPixels))
         {
             // Part of the beam on either surface: shares near 0 and 1 are the likeliest (arcsine distribution).
             const double share = std::pow(std::sin(0.5 * std::numbers::pi * random.uniform()), 2.0);
-            range += share * (static_cast<double>(neighbour_m) - range);
+            range += share * (static_cast<double>(neighbour.range_m) - range);
             isMixed = share > 0.03 && share < 0.97;
         }
         const double sigma = m_settings.noise_m * (0.55 + 0.04 * range + 0.25 / std::max(cosine, 0.25));

@@ -16,6 +16,7 @@ namespace
 
 constexpr double kClear_m = 0.35;      ///< round the tripod
 constexpr double kReach_m = 5.0;       ///< a long room gets a station for each stretch of this length
+constexpr double kSmall_m2 = 3.0;      ///< a cubicle
 constexpr double kCandidates_m = 0.2;  ///< grid of places in a room
 constexpr double kOutside_m = 6.0;     ///< distance from the facade, and half the distance of stations along it
 
@@ -139,6 +140,8 @@ private:
             Eigen::Vector2d target = parts == 1 ? room.middle() : Eigen::Vector2d(low + extent / 2.0);
             if (parts > 1)
                 target[axis] = low[axis] + extent[axis] * (i + 0.5) / parts;
+            else if (space.area_m2 < kSmall_m2)
+                target[axis] = low[axis] + kClear_m + 0.02;  // or the tripod hides the whole floor
             placeNear(target);
         }
         // The far side of each column.

@@ -36,6 +36,8 @@ struct Options
     bool outside = false;
     BuildingSpec spec;
     ScanSettings scan;
+
+    Options() { scan.voxel_m = 0.01; }  // what people thin a registered survey to
 };
 
 /// Features that can be left out, by the name that --without takes.
