@@ -219,7 +219,7 @@ def main(model_path, points_path, picture_path):
         storey = len(storeys) - 1 - row
         floor = floors[storey]
         plan = Picture(top, lower, upper, 1700 / (upper[0] - lower[0] + 1))
-        above = triangles[:, :, 2].max(axis=1) > floor - 0.5
+        above = triangles[:, :, 2].max(axis=1) > floor - 0.05
         plan.draw_triangles(triangles[above], classes[above], floor + CUT_ABOVE_FLOOR_M)
         slice_ = points[np.abs(points[:, 2] - floor - CUT_ABOVE_FLOOR_M) < 0.06]
         plan.depth[:] = -1e9  # the points of the slice lie on top, to be compared with the walls
@@ -228,7 +228,7 @@ def main(model_path, points_path, picture_path):
         axes = figure.add_subplot(grid[row, 1])
         axes.imshow(image, interpolation="lanczos")
         axes.axis("off")
-        axes.set_title("%s, %+.2f m" % storeys[storey], fontsize=11, color=INK, loc="left", pad=2)
+        axes.set_title("%s, %+.2f m" % (storeys[storey][0], round(storeys[storey][1], 2) + 0.0), fontsize=11, color=INK, loc="left", pad=2)
     counts = {name: 0 for name in ("IfcWall", "IfcDoor", "IfcWindow", "IfcColumn", "IfcSlab", "IfcSpace")}
     model = ifcopenshell.open(model_path)
     for name in counts:

@@ -14,6 +14,9 @@ namespace s2b
 	//! What was found, one line per storey and class
 	QStringList summary(const Building& building);
 
+	//! A storey's elevation in the world, "3.036 m"
+	QString elevationText(const Building& building, const Storey& storey);
+
 	//! The classes of the labels and how many points each has, in one line
 	QString labelSummary(const Input& input, const QString& mapName);
 

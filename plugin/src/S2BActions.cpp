@@ -194,7 +194,7 @@ namespace s2b
 			QSettings settings;
 			settings.beginGroup("qScanToBim");
 			const QString folder = settings.value("folder").toString();
-			const QString name   = model->getName().remove(" [BIM]") + ".ifc";
+			const QString name   = model->getName().section('.', 0, 0).remove(" [BIM]") + ".ifc";
 			QFileDialog   dialog(app.getMainWindow(), "Export IFC", folder, "IFC4 (*.ifc);;IFC4X3_ADD2 (*.ifc)");
 			dialog.setObjectName("S2BExportDialog");
 			dialog.setOption(QFileDialog::DontUseNativeDialog, qEnvironmentVariableIsSet("S2B_PLAIN_DIALOGS"));

@@ -2,6 +2,7 @@
 #include "S2BEntities.h"
 
 #include "S2BBuildingText.h"
+#include "S2BSummary.h"
 #include "solids.h"
 
 #include <algorithm>
@@ -152,7 +153,7 @@ namespace s2b
 			const auto            scale  = reference.getGlobalScale();
 			ccGLMatrix            pose;
 			pose.initFromParameters(static_cast<PointCoordinateType>(building.frame.yaw_rad), CCVector3(0, 0, 1), centre);
-			auto plane = std::make_unique<ccPlane>(static_cast<PointCoordinateType>(size.x() * scale), static_cast<PointCoordinateType>(size.y() * scale), &pose, QString("Floor level %1 m").arg(building.frame.origin.z() + storey.elevation_m, 0, 'f', 3));
+			auto plane = std::make_unique<ccPlane>(static_cast<PointCoordinateType>(size.x() * scale), static_cast<PointCoordinateType>(size.y() * scale), &pose, QString("Floor level %1").arg(elevationText(building, storey)));
 			plane->setColor(kLevelColor);
 			plane->showColors(true);
 			plane->copyGlobalShiftAndScale(reference);
@@ -218,7 +219,7 @@ namespace s2b
 		{
 			auto* group = new ccHObject(QString::fromStdString(storey.name));
 			root->addChild(group);
-			group->setMetaData("Elevation", QString("%1 m").arg(building.frame.origin.z() + storey.elevation_m, 0, 'f', 3));
+			group->setMetaData("Elevation", elevationText(building, storey));
 			group->setMetaData("Height", QString("%1 m").arg(storey.height.value_m, 0, 'f', 3));
 			if (auto plane = makeLevelPlane(building, reference, storey))
 				group->addChild(plane.release());

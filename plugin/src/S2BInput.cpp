@@ -25,12 +25,17 @@ namespace s2b
 			throw Error(code, sentence.toStdString());
 		}
 
-		// ccPointCloud offers its fields by number and name.
+		// Readers of CloudCompare show the underscores of a file's field names as spaces: both spellings are found.
+		QString plainName(QString name)
+		{
+			return name.replace('_', ' ').toLower();
+		}
+
 		const ccScalarField* findField(const ccPointCloud& cloud, const QString& name)
 		{
 			for (unsigned i = 0; i < cloud.getNumberOfScalarFields(); ++i)
 			{
-				if (name.compare(cloud.getScalarFieldName(static_cast<int>(i)), Qt::CaseInsensitive) == 0)
+				if (plainName(name) == plainName(cloud.getScalarFieldName(static_cast<int>(i))))
 					return static_cast<const ccScalarField*>(cloud.getScalarField(static_cast<int>(i)));
 			}
 			return nullptr;

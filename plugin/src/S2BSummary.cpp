@@ -6,6 +6,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <cmath>
 
 namespace s2b
 {
@@ -50,10 +51,9 @@ namespace s2b
 			add(countOf(building.columns, storey.id), "column", "columns");
 			add(countOf(building.slabs, storey.id), "slab", "slabs");
 			add(countOf(building.spaces, storey.id), "space", "spaces");
-			const double world = building.frame.origin.z() + storey.elevation_m;
-			lines << QString("%1 at %2 m, %3 m high: %4")
+			lines << QString("%1 at %2, %3 m high: %4")
 			             .arg(QString::fromStdString(storey.name))
-			             .arg(world, 0, 'f', 3)
+			             .arg(elevationText(building, storey))
 			             .arg(storey.height.value_m, 0, 'f', 2)
 			             .arg(parts.isEmpty() ? QString("nothing") : parts.join(", "));
 		}
@@ -64,6 +64,12 @@ namespace s2b
 		if (building.storeys.empty())
 			lines << "no storey was found";
 		return lines;
+	}
+
+	QString elevationText(const Building& building, const Storey& storey)
+	{
+		const double world_mm = std::round(1000.0 * (building.frame.origin.z() + storey.elevation_m));
+		return QString("%1 m").arg((world_mm == 0 ? 0.0 : world_mm) / 1000.0, 0, 'f', 3); // not "-0.000"
 	}
 
 	QString labelSummary(const Input& input, const QString& mapName)

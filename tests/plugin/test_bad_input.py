@@ -41,10 +41,16 @@ def test_file_without_points(cloudcompare, tmp_path):
 
 
 def test_coordinates_that_are_not_numbers(cloudcompare, tmp_path, room):
+    # CloudCompare's readers of text and PLY replace such coordinates, its own format keeps them: a mark is put there and overwritten.
     points, codes = room
-    points[77, 1] = np.nan
-    run = cloudcompare("-O", write_ply(tmp_path / "nan.ply", points, Classification=codes), "-S2B")
-    assert_refused(run, tmp_path, "not a number")
+    mark = np.float32(1234.5)
+    points[77, 1] = mark
+    write_ply(tmp_path / "scan.ply", points, Classification=codes)
+    assert cloudcompare("-NO_TIMESTAMP", "-C_EXPORT_FMT", "BIN", "-O", "scan.ply", "-SAVE_CLOUDS", "FILE", "nan.bin").rc == 0
+    data = (tmp_path / "nan.bin").read_bytes()
+    assert data.count(mark.tobytes()) >= 1
+    (tmp_path / "nan.bin").write_bytes(data.replace(mark.tobytes(), np.float32(np.nan).tobytes()))
+    assert_refused(cloudcompare("-O", "nan.bin", "-S2B"), tmp_path, "point 78", "not a number")
 
 
 def test_unknown_label_field(cloudcompare, tmp_path, good):
