@@ -25,6 +25,8 @@ namespace
 using namespace s2b;
 using namespace s2b::sim;
 
+constexpr const char* kBuilding = "Building";  ///< options about the building, in --help
+
 struct Options
 {
     std::string output;
@@ -60,6 +62,17 @@ const std::map<std::string, bool BuildingSpec::*>& features()
     return kFeatures;
 }
 
+Layout layoutOf(const std::string& name)
+{
+    static const std::map<std::string, Layout> kLayouts{
+        {"corridor", Layout::Corridor}, {"one-room", Layout::OneRoom}, {"two-rooms", Layout::TwoRooms}};
+    const auto it = kLayouts.find(name);
+    if (it == kLayouts.end())
+        throw Error(ErrorCode::BadParameter,
+                    "--layout does not know '" + name + "': use corridor, one-room or two-rooms");
+    return it->second;
+}
+
 void addOptions(CLI::App& app, Options& o)
 {
     app.add_option("OUT", o.output, "the survey: .laz, .las, .ply, .xyz")->required();
@@ -69,34 +82,32 @@ void addOptions(CLI::App& app, Options& o)
     app.add_option("--seed", o.scan.seed, "of every random draw")->capture_default_str();
     app.add_option("--threads", o.scan.threads, "0 = all; the output does not depend on it");
 
-    const char* building = "Building";
-    const std::map<std::string, Layout> layouts{
-        {"corridor", Layout::Corridor}, {"one-room", Layout::OneRoom}, {"two-rooms", Layout::TwoRooms}};
-    app.add_option("--layout", o.spec.layout, "corridor, one-room or two-rooms")
-        ->transform(CLI::Transformer(layouts))
-        ->group(building);
-    app.add_option("--storeys", o.spec.storeys)->capture_default_str()->group(building);
+    app.add_option_function<std::string>(
+           "--layout", [&o](const std::string& name) { o.spec.layout = layoutOf(name); },
+           "corridor, one-room or two-rooms [corridor]")
+        ->group(kBuilding);
+    app.add_option("--storeys", o.spec.storeys)->capture_default_str()->group(kBuilding);
     app.add_option("--rooms", o.spec.roomsPerSide, "on each side of the corridor")
         ->capture_default_str()
-        ->group(building);
-    app.add_option("--yaw-deg", o.spec.yaw_deg, "of the building in the world")->group(building);
+        ->group(kBuilding);
+    app.add_option("--yaw-deg", o.spec.yaw_deg, "of the building in the world")->group(kBuilding);
     app.add_option("--origin", o.origin, "E N H: world coordinates of the building's corner at the lowest floor")
-        ->group(building);
+        ->group(kBuilding);
     app.add_option("--open-doors", o.spec.openDoors, "share of doors with an open leaf")
         ->capture_default_str()
-        ->group(building);
+        ->group(kBuilding);
     app.add_option("--removed-doors", o.spec.removedDoors, "share of doors with the frame only")
         ->capture_default_str()
-        ->group(building);
+        ->group(kBuilding);
     app.add_option("--facade-angle-deg", o.spec.facadeAngle_deg, "the end facade out of square by this")
-        ->group(building);
-    app.add_flag("--curved-facade", o.spec.curvedFacade, "the end facade as an arc")->group(building);
-    app.add_flag("--suspended-ceilings", o.spec.suspendedCeilings)->group(building);
-    app.add_flag("--stairs", o.spec.stairs)->group(building);
+        ->group(kBuilding);
+    app.add_flag("--curved-facade", o.spec.curvedFacade, "the end facade as an arc")->group(kBuilding);
+    app.add_flag("--suspended-ceilings", o.spec.suspendedCeilings)->group(kBuilding);
+    app.add_flag("--stairs", o.spec.stairs)->group(kBuilding);
     std::string names;
     for (const auto& [name, member] : features())
         names += (names.empty() ? "" : ", ") + name;
-    app.add_option("--without", o.without, "leave out (comma separated): " + names)->delimiter(',')->group(building);
+    app.add_option("--without", o.without, "leave out (comma separated): " + names)->delimiter(',')->group(kBuilding);
 
     const char* scanner = "Scanner";
     app.add_option("--step-deg", o.scan.step_deg, "angle between rays")->capture_default_str()->group(scanner);
@@ -116,6 +127,17 @@ void addOptions(CLI::App& app, Options& o)
     app.add_flag("--outside", o.outside, "stations round the building too")->group(scanner);
 }
 
+/// An IFC file is scanned as it is.
+void refuseBuildingOptions(const CLI::App& app, const Options& o)
+{
+    if (o.ifcIn.empty())
+        return;
+    for (const CLI::Option* option : app.get_options())
+        if (option->get_group() == kBuilding && option->count() > 0)
+            throw Error(ErrorCode::BadParameter,
+                        option->get_name() + " is for buildings made from the seed: leave it out with --ifc-in");
+}
+
 int run(Options& o)
 {
     using Clock = std::chrono::steady_clock;
@@ -132,6 +154,11 @@ int run(Options& o)
                         "--without does not know '" + name + "': s2b_survey --help lists the features");
         o.spec.*(it->second) = false;
     }
+
+    checkWritable(o.output, true);
+    for (const std::string& path : {o.truth, o.truthIfc})
+        if (!path.empty())
+            checkWritable(path, false);
 
     std::optional<SimulatedBuilding> building;
     Scene scene;
@@ -175,6 +202,7 @@ int main(int argc, char** argv)
     try
     {
         app.parse(argc, argv);
+        refuseBuildingOptions(app, options);
         return run(options);
     }
     catch (const CLI::ParseError& e)

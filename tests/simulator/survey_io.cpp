@@ -4,6 +4,8 @@
 #include "core/base/error.h"
 #include "tests/simulator/output_file.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstring>
 #include <filesystem>
@@ -97,8 +99,17 @@ void writeSurvey(const Survey& survey, const std::string& path)
     else if (extension == ".xyz" || extension == ".txt")
         writeXyz(survey, path);
     else
+        checkWritable(path, true);
+}
+
+void checkWritable(const std::string& path, bool isSurvey)
+{
+    static constexpr std::array kKnown{".laz", ".las", ".ply", ".xyz", ".txt"};
+    const std::string extension = std::filesystem::path(path).extension().string();
+    if (isSurvey && std::find(kKnown.begin(), kKnown.end(), extension) == kKnown.end())
         throw Error(ErrorCode::BadParameter,
                     "'" + path + "' has no known extension: use .laz, .las, .ply, .xyz or .txt");
+    const OutputFile probe(path);
 }
 
 }  // namespace s2b::sim

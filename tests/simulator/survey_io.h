@@ -24,4 +24,8 @@ void writeXyz(const Survey& survey, const std::string& path);
 /// By extension: .laz, .las, .ply, .xyz, .txt. @throws Error{CannotWrite, BadParameter} for another extension.
 void writeSurvey(const Survey& survey, const std::string& path);
 
+/// Finds out before the work whether writeSurvey (`isSurvey`), or a file of any extension, can be written there.
+/// @throws as writeSurvey.
+void checkWritable(const std::string& path, bool isSurvey);
+
 }  // namespace s2b::sim
