@@ -101,6 +101,14 @@ public:
             m_area[static_cast<std::size_t>(i)] += area;
     }
     [[nodiscard]] double z(std::size_t i) const { return m_low + (static_cast<double>(i) - 0.5) * m_bin; }
+    [[nodiscard]] double areaNear(double height, double reach) const
+    {
+        double sum = 0;
+        for (std::size_t i = 0; i < m_area.size(); ++i)
+            if (std::abs(z(i) - height) <= reach)
+                sum += m_area[i];
+        return sum;
+    }
     /// Area within `reach` of each bin.
     [[nodiscard]] std::vector<double> smoothed(double reach) const
     {
@@ -216,7 +224,16 @@ LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, con
         floorHeights.push_back(s.z);
     }
 
-    std::vector<Peak> peaks = peaksOf(floors, 0.5);
+    // A floor lies under a ceiling for the most part; terrain does so only under trees and eaves. Of two floors close to
+    // each other the covered one counts.
+    std::vector<Peak> peaks = peaksOf(floors, 0.12);
+    if (!cells.hasLabels)
+        std::erase_if(peaks, [&](const Peak& p) { return p.area < 0.3 * (p.area + openFloors.areaNear(p.z, 0.05)); });
+    std::vector<Peak> apart;
+    for (const Peak& p : peaks)
+        if (std::none_of(apart.begin(), apart.end(), [&](const Peak& q) { return std::abs(p.z - q.z) < 0.5; }))
+            apart.push_back(p);
+    peaks = std::move(apart);
     // Without any ceiling (not scanned) the floors themselves have to do; with labels an open floor counts as one too.
     const std::vector<Peak> openPeaks = peaksOf(openFloors, 0.5);
     const double largestPaired = peaks.empty() ? 0.0 : peaks.front().area;

@@ -103,7 +103,7 @@ OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, co
             if (kind == OpeningKind::Door)
             {
                 findLeaf(c.opening, view, h);
-                if (h.labelShare == 0 && c.opening.leafState == LeafState::Unknown)
+                if (h.labelShare == 0 && h.points == 0 && c.opening.leafState == LeafState::Unknown)
                     c.opening.leafState = LeafState::Removed;
             }
             candidates.push_back(c);
@@ -133,6 +133,12 @@ OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, co
             findLeaf(leaf, view, h);
             add(h, leaf.leafState == LeafState::Open || isDoorSize(h) ? OpeningKind::Door : OpeningKind::Plain);
         }
+        if (!cells.hasLabels)
+            for (const Hole& h : recessedHoles(view, taken, params.minimumWindowWidth_m, params.maximumDoorWidth_m + 2.0, params.minimumWindowHeight_m))
+                if (std::none_of(taken.begin(), taken.end(), [&](const Hole& k) { return k.overlaps(h); }))
+                    add(h, h.bottom < 0.15 && h.top > 1.85 && h.top < 2.45 && h.width() < 2.2 && h.width() > params.minimumDoorWidth_m
+                               ? OpeningKind::Door
+                               : OpeningKind::Window);
     }
     // One hole belongs to one wall: where two claim the same place, the one with more points has it.
     std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.opening.evidence.points > b.opening.evidence.points; });

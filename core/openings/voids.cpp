@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/openings/hole_edges.h"
 #include "core/openings/wall_view.h"
 
 #include <algorithm>
@@ -58,37 +59,6 @@ private:
     std::vector<char> m_covered;
 };
 
-double median(std::vector<double>& v)
-{
-    const auto at = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
-    std::nth_element(v.begin(), at, v.end());
-    return *at;
-}
-
-/// Plane of the jamb near s: surface inside the body that looks along the wall.
-std::optional<double> jambNear(const WallView& view, double s, double bottom, double top, double reach)
-{
-    std::vector<double> at;
-    for (const WallPoint& p : view.points)
-        if (p.along > 0.8 && view.isInBody(p, 0.01) && std::abs(p.s - s) < reach && p.z > bottom && p.z < top &&
-            (!view.hasLabels || p.label == Label::Wall || p.label == Label::Door))
-            at.push_back(p.s);
-    if (static_cast<double>(at.size()) * view.cell_m * view.cell_m < 0.02)
-        return std::nullopt;
-    return median(at);
-}
-
-std::optional<double> headNear(const WallView& view, double begin, double end, double z)
-{
-    std::vector<double> at;
-    for (const WallPoint& p : view.points)
-        if (p.upward > 0.8 && view.isInBody(p, 0.005) && p.s > begin && p.s < end && std::abs(p.z - z) < 0.12)
-            at.push_back(p.z);
-    if (static_cast<double>(at.size()) * view.cell_m * view.cell_m < 0.005)
-        return std::nullopt;
-    return median(at);
-}
-
 /// Door points within a leaf's reach outside the body.
 bool leafBeside(const WallView& view, const Hole& h)
 {
@@ -97,21 +67,6 @@ bool leafBeside(const WallView& view, const Hole& h)
         cells += p.label == Label::Door && p.s > h.begin - h.width() - 0.1 && p.s < h.end + h.width() + 0.1 &&
                  std::abs(p.d) < view.half_m + h.width() + 0.1 && p.z < h.top + 0.1;
     return cells * view.cell_m * view.cell_m > 0.2 * h.width() * h.height();
-}
-
-/// Where the faces end towards the hole: the outermost of their points.
-double faceEdge(const WallView& view, double s, bool holeIsRight, double bottom, double top)
-{
-    std::vector<double> at;
-    for (const WallPoint& p : view.points)
-        if (std::abs(std::abs(p.d) - view.half_m) < 0.03 && p.z > bottom && p.z < top && std::abs(p.s - s) < 0.15 &&
-            (!view.hasLabels || p.label == Label::Wall))
-            at.push_back(holeIsRight ? p.s : -p.s);
-    if (at.size() < 10)
-        return s;
-    const auto high = at.begin() + static_cast<std::ptrdiff_t>(0.97 * static_cast<double>(at.size() - 1));
-    std::nth_element(at.begin(), high, at.end());
-    return holeIsRight ? *high : -*high;
 }
 
 }  // namespace
@@ -137,7 +92,8 @@ std::vector<Hole> voidsFromFloor(const WallView& view, const std::vector<Hole>& 
                 last = e, tops.push_back(top);
         Hole h;
         h.begin = raster.s(c), h.end = raster.s(last + 1);
-        h.top = median(tops);
+        std::nth_element(tops.begin(), tops.begin() + static_cast<std::ptrdiff_t>(tops.size() / 2), tops.end());
+        h.top = tops[tops.size() / 2];
         c = last + 1;
         // At the wall's ends, where another wall takes over, the faces end as well.
         if (h.begin < view.wall->bodyStart_m + 0.02 || h.end > view.wall->bodyEnd_m - 0.02 || h.width() < minimumWidth_m - 0.1 ||

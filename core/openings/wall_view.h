@@ -64,4 +64,9 @@ struct WallView
                                                const std::function<double(double, double)>& floorSeen,
                                                double minimumWidth_m, double maximumWidth_m, double minimumHeight_m);
 
+/// Holes from what is missing in one face and was seen behind it, within the wall's depth: windows, closed doors, niches'
+/// openings. Something seen behind the missing face on most of its sides tells a hole from a shadow.
+[[nodiscard]] std::vector<Hole> recessedHoles(const WallView& view, const std::vector<Hole>& taken, double minimumWidth_m,
+                                              double maximumWidth_m, double minimumHeight_m);
+
 }  // namespace s2b

@@ -241,7 +241,7 @@ std::vector<Face> gather(const std::vector<Line>& lines, const SurfaceCells& cel
     std::vector<Face> faces(lines.size());
     struct Sums
     {
-        double w = 0, d = 0, dd = 0, wall = 0, cells = 0;
+        double w = 0, d = 0, dd = 0, wall = 0, cells = 0, all = 0;
     };
     std::vector<Sums> sums(lines.size());
     for (std::size_t k = 0; k < lines.size(); ++k)
@@ -258,7 +258,7 @@ std::vector<Face> gather(const std::vector<Line>& lines, const SurfaceCells& cel
         if (c.normal.isZero() || std::abs(c.normal.z()) > 0.3f || z < level.floor_m || z > level.ceiling_m + 0.3)
             continue;
         const double weight = wallWeight(cells, c);
-        if (weight <= 0)
+        if (c.label == Label::Door || c.label == Label::Window)
             continue;
         const Eigen::Vector2d p = c.position.head<2>().cast<double>();
         const int k = gatherer.nearest(lines, p, c.normal.head<2>().cast<double>());
@@ -266,6 +266,9 @@ std::vector<Face> gather(const std::vector<Line>& lines, const SurfaceCells& cel
             continue;
         Face& f = faces[static_cast<std::size_t>(k)];
         Sums& s = sums[static_cast<std::size_t>(k)];
+        s.all += 1;
+        if (weight <= 0)
+            continue;
         const double d = f.n().dot(p) - f.offset, n = c.count;
         s.w += n, s.d += n * d, s.dd += n * d * d, s.cells += 1;
         s.wall += c.label == Label::Wall ? 1 : 0;
@@ -282,15 +285,14 @@ std::vector<Face> gather(const std::vector<Line>& lines, const SurfaceCells& cel
             continue;
         faces[k].offset += s.d / s.w;
         faces[k].rms_m = std::sqrt(std::max(0.0, s.dd / s.w - (s.d / s.w) * (s.d / s.w)));
-        faces[k].wallShare = s.wall / s.cells;
+        faces[k].wallShare = s.wall / s.all;
         faces[k].area_m2 = s.cells * cells.size_m * cells.size_m;
     }
     std::erase_if(faces, [&](const Face& f) { return f.area_m2 < params.minimumFaceArea_m2; });
     return faces;
 }
 
-/// Without labels: is it a face of a wall, or of something that stands in the room or hangs on a wall? Walls reach the
-/// ceiling, at least where no opening interrupts them; leaves, cupboards and sills don't.
+/// Walls reach the ceiling, at least where no opening interrupts them; leaves, cupboards and sills don't.
 bool reachesCeiling(const Face& face, const Level& level)
 {
     // A sloped or unseen ceiling has no height to compare with.
@@ -303,6 +305,36 @@ bool reachesCeiling(const Face& face, const Level& level)
             reaching += Face::kRow_m * (64 - std::countl_zero(rows)) >= wanted;
         }
     return 2 * reaching > seen;
+}
+
+/// Is it a face of a wall, or of something that stands in the room or hangs on a wall? Labels and shape weigh each other:
+/// what has a wall's shape needs few labels, what hasn't needs many; without labels the shape decides.
+bool isWallFace(const Face& face, const SurfaceCells& cells, const Level& level)
+{
+    const bool reaches = reachesCeiling(face, level);
+    if (!cells.hasLabels)
+        return reaches;
+    return reaches ? face.wallShare > 0.4 : face.wallShare > 0.8 && face.area_m2 > 0.4;
+}
+
+/// A face behind a longer one that looks the same way, where that one has a hole: a pane, frame, leaf or niche within its
+/// wall.
+bool isRecessed(const Face& face, const std::vector<Face>& faces)
+{
+    if (face.side == 0)
+        return false;
+    for (const Face& front : faces)
+    {
+        if (&front == &face || front.side != face.side || front.t.dot(face.n()) * front.t.dot(face.n()) > 0.001 || front.length() < 1.3 * face.length())
+            continue;
+        const double behind = (front.offset - face.offset) * face.side;
+        if (behind < 0.015 || behind > 0.5)
+            continue;
+        const double overlap = std::min(front.end, face.end) - std::max(front.begin, face.begin);
+        if (overlap > 0.8 * face.length())
+            return true;
+    }
+    return false;
 }
 
 /// Which side of the face shows floor or ceiling right beside it: that is the room's. Where neither does, free space
@@ -391,9 +423,13 @@ std::vector<Face> findFaces(const SurfaceCells& cells, const Level& level, const
             std::tie(l.begin, l.end) = std::pair(-l.end, -l.begin);
         }
     std::vector<Face> faces = gather(lines, cells, level, params);
-    if (!cells.hasLabels)
-        std::erase_if(faces, [&](const Face& f) { return !reachesCeiling(f, level); });
+    std::erase_if(faces, [&](const Face& f) { return !isWallFace(f, cells, level); });
     findSides(faces, mask, params.mergeOffset_m);
+    std::vector<Face> kept;
+    for (const Face& f : faces)
+        if (!isRecessed(f, faces))
+            kept.push_back(f);
+    faces = std::move(kept);
     return faces;
 }
 

@@ -13,6 +13,8 @@ namespace
 constexpr double kStep_m = 0.10;         // along the wall
 constexpr double kSmallestStep_m = 0.5;  // of the top, to be another height
 constexpr double kSmallestPiece_m = 0.8;
+constexpr double kDeepestBeam_m = 0.9;
+constexpr double kWidestOpening_m = 2.2; // of an opening that a wall spans without being two walls
 
 struct Place
 {
@@ -47,6 +49,28 @@ double quantile(std::vector<double> values, double q)
     const auto at = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), at, values.end());
     return *at;
+}
+
+/// Stretches where only the upper part was seen and the floor runs through below: a beam, no wall. [first, last) places.
+std::vector<std::pair<std::size_t, std::size_t>> beamsOf(const WallBody& body, const std::vector<Place>& places, const Level& level, const PlanMask& mask)
+{
+    std::vector<std::pair<std::size_t, std::size_t>> beams;
+    const double inset = std::min(0.03, body.thickness() / 4);
+    for (std::size_t i = 0; i < places.size();)
+    {
+        std::size_t last = i;
+        while (last < places.size() && (!places[last].seen || (places[last].bottom > level.floor_m + 1.7 && places[last].top - places[last].bottom < kDeepestBeam_m)))
+            ++last;
+        const double length = static_cast<double>(last - i) * kStep_m;
+        if (length >= kWidestOpening_m)
+        {
+            const Eigen::Vector2d a = body.t * (body.begin + static_cast<double>(i) * kStep_m), b = a + body.t * length;
+            if (mask.share(a, b, body.low + inset, body.high - inset, PlanMask::Floor) > 0.5)
+                beams.emplace_back(i, last);
+        }
+        i = std::max(last, i + 1);
+    }
+    return beams;
 }
 
 /// Where the top changes for good: places to split at, ascending.
@@ -105,10 +129,20 @@ std::vector<WallBody> settleHeights(std::vector<WallBody> bodies, const std::vec
         const std::vector<Place> places = placesOf(whole, faces, level);
         // With one face seen a lower top may as well be hidden (stairs, furniture).
         std::vector<std::size_t> ends = whole.bothSeen() ? splitsOf(places) : std::vector<std::size_t>{};
+        const auto beams = beamsOf(whole, places, level, mask);
+        for (const auto& [from, to] : beams)
+            ends.insert(ends.end(), {from, to});
         ends.push_back(places.size());
+        std::sort(ends.begin(), ends.end());
         std::size_t first = 0;
         for (const std::size_t last : ends)
         {
+            const bool isBeam = std::any_of(beams.begin(), beams.end(), [&](const auto& b) { return first >= b.first && last <= b.second; });
+            if (last == first || isBeam)
+            {
+                first = last;
+                continue;
+            }
             WallBody piece = whole;
             piece.begin = first == 0 ? whole.begin : whole.begin + static_cast<double>(first) * kStep_m;
             piece.end = last == places.size() ? whole.end : whole.begin + static_cast<double>(last) * kStep_m;

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/openings/wall_view.h"
+
+#include <optional>
+
+namespace s2b
+{
+
+/// Plane of the jamb near s: surface inside the body that looks along the wall, between two heights.
+[[nodiscard]] std::optional<double> jambNear(const WallView& view, double s, double bottom, double top, double reach);
+
+/// Height of a level surface inside the body near z (a head's soffit, a sill), between two places along the wall.
+[[nodiscard]] std::optional<double> headNear(const WallView& view, double begin, double end, double z);
+
+/// Where the faces end towards the hole: the outermost of their points near s; s itself when there are too few.
+[[nodiscard]] double faceEdge(const WallView& view, double s, bool holeIsRight, double bottom, double top);
+
+}  // namespace s2b
