@@ -17,7 +17,6 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QProgressDialog>
 #include <QPushButton>
 #include <QScreen>
 #include <QTabWidget>
@@ -318,7 +317,7 @@ private:
                     if (delay_ms == 400)
                         shoot("cancel");
                     sinceCancel.start();
-                    static_cast<QProgressDialog*>(progress)->cancel();
+                    QTest::mouseClick(progress->findChild<QPushButton*>(), Qt::LeftButton);
                 });
                 press(dialog, QDialogButtonBox::Ok);
             });
