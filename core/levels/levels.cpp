@@ -12,7 +12,7 @@ namespace s2b
 namespace
 {
 
-constexpr double kColumn_m = 0.10;   // edge of the plan columns in which floors meet their ceilings
+constexpr double kColumn_m = 0.10;   // edge of the plan columns in which floors meet their ceilings, at least
 constexpr double kSlab_m = 0.8;      // thickest slab with its finishes
 constexpr double kMergeZ_m = 0.06;   // surfaces closer than this in one column are one
 
@@ -35,10 +35,14 @@ struct Pair
 
 bool sameColumn(const Surface& a, const Surface& b) { return a.x == b.x && a.y == b.y; }
 
+/// Wide enough for a few cells of each surface, in sparse clouds too.
+double columnEdge(const SurfaceCells& cells) { return std::max(kColumn_m, 2.5 * cells.size_m); }
+
 std::vector<Surface> surfacesByColumn(const SurfaceCells& cells)
 {
+    const double column = columnEdge(cells);
     // Stray cells (mixed pixels, what was seen through windows) are no surface.
-    const int minimumCells = std::max(2, static_cast<int>(0.2 * (kColumn_m / cells.size_m) * (kColumn_m / cells.size_m)));
+    const int minimumCells = std::max(2, static_cast<int>(0.2 * (column / cells.size_m) * (column / cells.size_m)));
     std::vector<Surface> raw;
     for (const SurfaceCell& c : cells.cells)
     {
@@ -50,8 +54,8 @@ std::vector<Surface> surfacesByColumn(const SurfaceCells& cells)
                                 c.label == Label::Window || c.label == Label::Wall || c.label == Label::Column))
             continue;
         Surface s;
-        s.x = static_cast<std::int32_t>(std::floor(static_cast<double>(c.position.x()) / kColumn_m));
-        s.y = static_cast<std::int32_t>(std::floor(static_cast<double>(c.position.y()) / kColumn_m));
+        s.x = static_cast<std::int32_t>(std::floor(static_cast<double>(c.position.x()) / column));
+        s.y = static_cast<std::int32_t>(std::floor(static_cast<double>(c.position.y()) / column));
         s.z = static_cast<double>(c.position.z());
         s.isLevel = nz > 0.95;
         if (cells.hasLabels)
@@ -194,7 +198,7 @@ LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, con
         low = std::min(low, s.z), high = std::max(high, s.z);
 
     // In each column: which surface is a floor with room above it, and what is above.
-    const double columnArea = kColumn_m * kColumn_m;
+    const double columnArea = columnEdge(cells) * columnEdge(cells);
     HeightHistogram floors(low, high, params.binSize_m), openFloors(low, high, params.binSize_m);
     std::vector<Pair> pairs;
     std::vector<double> floorHeights;

@@ -292,49 +292,69 @@ std::vector<Face> gather(const std::vector<Line>& lines, const SurfaceCells& cel
     return faces;
 }
 
-/// Walls reach the ceiling, at least where no opening interrupts them; leaves, cupboards and sills don't.
-bool reachesCeiling(const Face& face, const Level& level)
+/// Walls reach the ceiling above them, at least where no opening interrupts them; leaves, cupboards and sills don't.
+bool reachesCeiling(const Face& face, const Level& level, const PlanMask& mask)
 {
-    // A sloped or unseen ceiling has no height to compare with.
-    const double wanted = level.ceilingSeen ? level.ceiling_m - level.floor_m - 0.45 : 1.0;
     std::size_t seen = 0, reaching = 0;
-    for (const std::uint64_t rows : face.rows)
-        if (rows)
-        {
-            ++seen;
-            reaching += Face::kRow_m * (64 - std::countl_zero(rows)) >= wanted;
-        }
+    for (std::size_t b = 0; b < face.rows.size(); ++b)
+    {
+        if (!face.rows[b])
+            continue;
+        const double s = face.begin + (static_cast<double>(b) + 0.5) * Face::kBin_m;
+        double overhead = std::max(mask.overhead_m(face.at(s) + 0.2 * face.n()), mask.overhead_m(face.at(s) - 0.2 * face.n()));
+        if (overhead < 0)
+            overhead = level.ceilingSeen ? level.ceiling_m - level.floor_m : 1.3;
+        ++seen;
+        reaching += Face::kRow_m * (64 - std::countl_zero(face.rows[b])) >= overhead - 0.3;
+    }
     return 2 * reaching > seen;
 }
 
 /// Is it a face of a wall, or of something that stands in the room or hangs on a wall? Labels and shape weigh each other:
 /// what has a wall's shape needs few labels, what hasn't needs many; without labels the shape decides.
-bool isWallFace(const Face& face, const SurfaceCells& cells, const Level& level)
+bool isWallFace(const Face& face, const SurfaceCells& cells, const Level& level, const PlanMask& mask)
 {
-    const bool reaches = reachesCeiling(face, level);
+    const bool reaches = reachesCeiling(face, level, mask);
     if (!cells.hasLabels)
         return reaches;
     return reaches ? face.wallShare > 0.4 : face.wallShare > 0.8 && face.area_m2 > 0.4;
 }
 
-/// A face behind a longer one that looks the same way, where that one has a hole: a pane, frame, leaf or niche within its
-/// wall.
+/// A face behind a longer one, where that one has a hole: a pane, frame, leaf or niche within its wall.
 bool isRecessed(const Face& face, const std::vector<Face>& faces)
 {
-    if (face.side == 0)
-        return false;
     for (const Face& front : faces)
     {
-        if (&front == &face || front.side != face.side || front.t.dot(face.n()) * front.t.dot(face.n()) > 0.001 || front.length() < 1.3 * face.length())
+        if (&front == &face || front.side == 0 || std::abs(front.t.dot(face.n())) > 0.03 || front.length() < 1.2 * face.length())
             continue;
-        const double behind = (front.offset - face.offset) * face.side;
-        if (behind < 0.015 || behind > 0.5)
+        const double behind = (front.offset - face.offset) * front.side;
+        if (behind < 0.015 || behind > 0.5 || std::min(front.end, face.end) - std::max(front.begin, face.begin) < 0.8 * face.length())
             continue;
-        const double overlap = std::min(front.end, face.end) - std::max(front.begin, face.begin);
-        if (overlap > 0.8 * face.length())
+        std::size_t bins = 0, missing = 0;
+        for (std::size_t b = 0; b < face.rows.size(); ++b)
+        {
+            const double s = face.begin + (static_cast<double>(b) + 0.5) * Face::kBin_m;
+            const auto k = static_cast<std::ptrdiff_t>((s - front.begin) / Face::kBin_m);
+            if (!face.rows[b] || k < 0 || k >= static_cast<std::ptrdiff_t>(front.rows.size()))
+                continue;
+            ++bins;
+            // The front one is missing where this one is, and goes on above it.
+            const std::uint64_t rows = front.rows[static_cast<std::size_t>(k)];
+            missing += 10 * std::popcount(rows & face.rows[b]) < 4 * std::popcount(face.rows[b]) && rows > face.rows[b];
+        }
+        if (bins > 0 && 2 * missing > bins)
             return true;
     }
     return false;
+}
+
+/// Without labels, what shows no floor or ceiling of this storey beside it stands outside: trees, fences, other buildings.
+bool isOutside(const Face& face, const PlanMask& mask)
+{
+    const Eigen::Vector2d a = face.at(face.begin), b = face.at(face.end);
+    const auto roomBeside = [&](double low, double high)
+    { return std::max(mask.share(a, b, low, high, PlanMask::Ceiling), mask.share(a, b, low, high, PlanMask::Floor)); };
+    return std::max(roomBeside(0.05, 0.8), roomBeside(-0.8, -0.05)) < 0.15;
 }
 
 /// Which side of the face shows floor or ceiling right beside it: that is the room's. Where neither does, free space
@@ -367,14 +387,17 @@ void findSides(std::vector<Face>& faces, const PlanMask& mask, double sameOffset
     for (std::size_t i = 0; i < faces.size(); ++i)
     {
         Side best = roomSide(faces[i], mask, main);
-        if (const Side other = roomSide(faces[i], mask, second); best.side == 0 || (!best.isBeside && other.isBeside && other.side != 0))
-            best = other;
+        // Free space on both sides is an answer too (a leaf, a panel): then the other layer is not asked.
+        if (!best.isBeside)
+            if (const Side other = roomSide(faces[i], mask, second); best.side == 0 || (other.isBeside && other.side != 0))
+                best = other;
         faces[i].side = best.side;
+        faces[i].isBesideRoom = best.isBeside;
         isSure[i] = best.isBeside && best.side != 0;
     }
     for (std::size_t i = 0; i < faces.size(); ++i)
     {
-        if (isSure[i])
+        if (faces[i].isBesideRoom)
             continue;
         double nearest = 10.0;
         for (std::size_t j = 0; j < faces.size(); ++j)
@@ -423,11 +446,11 @@ std::vector<Face> findFaces(const SurfaceCells& cells, const Level& level, const
             std::tie(l.begin, l.end) = std::pair(-l.end, -l.begin);
         }
     std::vector<Face> faces = gather(lines, cells, level, params);
-    std::erase_if(faces, [&](const Face& f) { return !isWallFace(f, cells, level); });
+    std::erase_if(faces, [&](const Face& f) { return !isWallFace(f, cells, level, mask); });
     findSides(faces, mask, params.mergeOffset_m);
     std::vector<Face> kept;
     for (const Face& f : faces)
-        if (!isRecessed(f, faces))
+        if (!isRecessed(f, faces) && (cells.hasLabels || !isOutside(f, mask)))
             kept.push_back(f);
     faces = std::move(kept);
     return faces;

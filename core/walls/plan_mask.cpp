@@ -27,6 +27,15 @@ std::uint8_t layerOf(const SurfaceCells& cells, const SurfaceCell& c, const Leve
     return z > level.floor_m + 1.4 && nz < 0.97 ? PlanMask::Ceiling : 0;  // a sloped ceiling
 }
 
+constexpr double kCoarse_m = 0.25;
+
+bool isOverhead(const SurfaceCells& cells, const SurfaceCell& c, const Level& level)
+{
+    const double z = static_cast<double>(c.position.z());
+    return std::abs(c.normal.z()) > 0.35f && z > level.floor_m + 1.7 && z < level.ceiling_m + (level.ceilingSeen ? 0.05 : 0.5) &&
+           static_cast<double>(c.flatness) < 0.45 * cells.size_m;
+}
+
 }  // namespace
 
 PlanMask::PlanMask(const SurfaceCells& cells, const Level& level)
@@ -54,6 +63,28 @@ PlanMask::PlanMask(const SurfaceCells& cells, const Level& level)
     }
     if (area_m2(Ceiling) < 0.3 * area_m2(Floor))
         m_main = Floor;
+
+    m_coarseSize = ((high - m_low) / kCoarse_m).array().ceil().cast<int>() + 1;
+    m_overhead.assign(static_cast<std::size_t>(m_coarseSize.x()) * static_cast<std::size_t>(m_coarseSize.y()), -1.0f);
+    for (const SurfaceCell& c : cells.cells)
+    {
+        if (!isOverhead(cells, c, level))
+            continue;
+        const Eigen::Vector2i i = ((c.position.head<2>().cast<double>() - m_low) / kCoarse_m).array().floor().cast<int>();
+        if ((i.array() < 0).any() || (i.array() >= m_coarseSize.array()).any())
+            continue;
+        float& top = m_overhead[static_cast<std::size_t>(i.x()) + static_cast<std::size_t>(m_coarseSize.x()) * static_cast<std::size_t>(i.y())];
+        top = std::max(top, static_cast<float>(static_cast<double>(c.position.z()) - level.floor_m));
+    }
+}
+
+double PlanMask::overhead_m(const Eigen::Vector2d& p) const
+{
+    const Eigen::Vector2i i = ((p - m_low) / kCoarse_m).array().floor().cast<int>();
+    if ((i.array() < 0).any() || (i.array() >= m_coarseSize.array()).any())
+        return -1.0;
+    return static_cast<double>(
+        m_overhead[static_cast<std::size_t>(i.x()) + static_cast<std::size_t>(m_coarseSize.x()) * static_cast<std::size_t>(i.y())]);
 }
 
 bool PlanMask::seen(const Eigen::Vector2d& p, Layer layer) const

@@ -37,6 +37,9 @@ public:
     /// Share of the rectangle that shows free space, by the layer that a wall interrupts best: the ceiling where one was
     /// seen at all, else the floor.
     [[nodiscard]] double freeShare(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double low, double high) const;
+    /// Height of the highest surface overhead near p (within a quarter of a metre), or a negative number where none was
+    /// seen: the local ceiling, level or sloped.
+    [[nodiscard]] double overhead_m(const Eigen::Vector2d& p) const;
     [[nodiscard]] Layer mainLayer() const noexcept { return m_main; }
 
 private:
@@ -45,6 +48,8 @@ private:
     Eigen::Vector2i m_size = Eigen::Vector2i::Zero();
     Layer m_main = Ceiling;
     std::vector<std::uint8_t> m_layers;
+    Eigen::Vector2i m_coarseSize = Eigen::Vector2i::Zero();
+    std::vector<float> m_overhead;  ///< of coarse pixels, above the floor; negative for none
 };
 
 }  // namespace s2b

@@ -153,6 +153,14 @@ void settleThickness(std::vector<WallBody>& bodies, const SurfaceCells& cells, c
         if (b->thickness() > 0.75 * deepest)
             setThickness(*b, deepest);
     const double internalThickness = internal.empty() ? params.defaultThickness_m : weightedMedian(internal);
+    // Without labels a reveal may end at a pane in the middle of the wall; an external wall is no thinner than the others.
+    if (!cells.hasLabels && !internal.empty())
+    {
+        deepest = std::max(deepest, internalThickness);
+        for (WallBody* b : externalRevealed)
+            if (b->thickness() < internalThickness)
+                setThickness(*b, internalThickness);
+    }
     const double externalThickness =
         !revealed.empty() ? deepest : (internal.empty() ? params.defaultExternalThickness_m : internalThickness);
     for (WallBody* b : externalOpen)
