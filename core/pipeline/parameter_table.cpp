@@ -75,6 +75,20 @@ const std::vector<ParameterInfo>& parameterTable()
         row<&P::columns, &ColumnParams::maximumSize_m>("columns.maximumSize", "m", 0.1, 10, "Largest side or diameter of a column.", "practice"),
         row<&P::columns, &ColumnParams::circleTolerance_m>("columns.circleTolerance", "m", 0.001, 0.2, "Largest RMS of a circle's fit to a round column.", "practice: several times a scanner's noise, below a square's 6 % of its side"),
         row<&P::columns, &ColumnParams::circleTrials>("columns.circleTrials", "1", 1, 100000, "RANSAC trials of a circle.", "D3.6, 3.6; value: practice, with half of the points outliers all trials miss once in 4e11"),
+
+        row<&P::slabs, &SlabParams::defaultThickness_m>("slabs.defaultThickness", "m", 0.01, 2, "Assumed thickness of a slab of which one side was seen.", "practice: a common concrete slab"),
+        row<&P::slabs, &SlabParams::minimumThickness_m>("slabs.minimumThickness", "m", 0.01, 1, "A ceiling nearer than this below a floor is not the slab's underside.", "practice: below the thinnest floor"),
+        row<&P::slabs, &SlabParams::maximumThickness_m>("slabs.maximumThickness", "m", 0.05, 3, "A ceiling farther than this below a floor is not the slab's underside: it is suspended.", "practice: a joist floor with its ceiling"),
+        row<&P::slabs, &SlabParams::minimumArea_m2>("slabs.minimumArea", "m2", 0.1, 1000, "Smaller slabs are dropped.", "practice: a small room"),
+        row<&P::slabs, &SlabParams::minimumHoleArea_m2>("slabs.minimumHoleArea", "m2", 0.1, 100, "Smaller holes are closed.", "practice: below a steep stair's hole"),
+        row<&P::slabs, &SlabParams::minimumHoleWidth_m>("slabs.minimumHoleWidth", "m", 0.1, 5, "Narrower holes are closed.", "practice: the narrowest stair"),
+        row<&P::slabs, &SlabParams::outlineStep_m>("slabs.outlineStep", "m", 0, 1, "Smaller steps of a slab's outline are straightened.", "practice: above the error of an assumed wall thickness' parts, below a real recess"),
+
+        row<&P::spaces, &SpaceParams::closeGap_m>("spaces.closeGap", "m", 0, 1, "Gaps between walls up to this wide are closed.", "practice: twice the error of an end that was not seen, below the narrowest passage"),
+        row<&P::spaces, &SpaceParams::minimumWallHeight_m>("spaces.minimumWallHeight", "m", 0.1, 10, "Lower walls do not divide rooms.", "practice: eye level"),
+        row<&P::spaces, &SpaceParams::minimumArea_m2>("spaces.minimumArea", "m2", 0.1, 100, "Smaller rooms are no spaces.", "practice: a cupboard that one can step into"),
+        row<&P::spaces, &SpaceParams::minimumSeen>("spaces.minimumSeen", "1", 0, 1, "Smallest share of a room whose floor or ceiling was seen.", "practice: what is seen of a furnished room"),
+        row<&P::spaces, &SpaceParams::minimumWallShare>("spaces.minimumWallShare", "1", 0, 1, "Smallest share of a room's outline that walls make up, where they leave it open.", "practice: half"),
     };
     return kTable;
 }

@@ -11,6 +11,8 @@
 #include "core/columns/columns.h"
 #include "core/levels/levels.h"
 #include "core/openings/openings.h"
+#include "core/slabs/slabs.h"
+#include "core/spaces/spaces.h"
 #include "core/walls/walls.h"
 
 #include <string>
@@ -30,6 +32,8 @@ struct Parameters
     WallParams walls;
     OpeningParams openings;
     ColumnParams columns;
+    SlabParams slabs;
+    SpaceParams spaces;
     bool operator==(const Parameters&) const = default;
 };
 

@@ -8,8 +8,11 @@
 #include "core/columns/columns.h"
 #include "core/levels/levels.h"
 #include "core/openings/openings.h"
+#include "core/slabs/slabs.h"
+#include "core/spaces/spaces.h"
 #include "core/walls/walls.h"
 
+#include <algorithm>
 #include <format>
 #include <iterator>
 
@@ -22,6 +25,43 @@ template <typename T>
 void append(std::vector<T>& to, std::vector<T>&& from)
 {
     to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
+/// Slabs and spaces of all storeys, from their walls.
+void addRooms(const SurfaceCells& cells, const std::vector<Level>& levels, const PipelineOptions& options, std::uint32_t& nextId,
+              Building& building, const Context& context)
+{
+    if (!options.stages.contains(Stage::Slabs) && !options.stages.contains(Stage::Spaces))
+        return;
+    context.report("Rooms", 0.92);
+    const PlanGrid grid = planGridOf(cells);
+    std::vector<RoomPlan> plans;
+    std::vector<ElementId> storeys;
+    for (std::size_t i = 0; i < levels.size(); ++i)
+    {
+        storeys.push_back(building.storeys[i].id);
+        std::vector<Wall> walls;
+        std::copy_if(building.walls.begin(), building.walls.end(), std::back_inserter(walls),
+                     [&](const Wall& w) { return w.storey == storeys.back(); });
+        plans.push_back(planRooms(cells, levels[i], grid, std::move(walls), options.parameters.spaces, context));
+    }
+    if (options.stages.contains(Stage::Slabs))
+    {
+        context.report("Slabs", 0.95);
+        SlabResult slabs = findSlabs(cells, plans, storeys, nextId, options.parameters.slabs, context);
+        append(building.slabs, std::move(slabs.slabs));
+        append(building.diagnostics, std::move(slabs.diagnostics));
+    }
+    if (options.stages.contains(Stage::Spaces))
+    {
+        context.report("Spaces", 0.98);
+        for (std::size_t i = 0; i < plans.size(); ++i)
+        {
+            SpaceResult spaces = findSpaces(plans[i], storeys[i], i, nextId, options.parameters.spaces);
+            append(building.spaces, std::move(spaces.spaces));
+            append(building.diagnostics, std::move(spaces.diagnostics));
+        }
+    }
 }
 
 }  // namespace
@@ -67,7 +107,7 @@ Building reconstruct(const CloudView& cloud, const PipelineOptions& options, con
         const Level& level = levels.levels[i];
         const ElementId storey = building.storeys[i].id;
         const auto stageFraction = [&](double within)
-        { return 0.6 + 0.4 * (static_cast<double>(i) + within) / static_cast<double>(levels.levels.size()); };
+        { return 0.6 + 0.32 * (static_cast<double>(i) + within) / static_cast<double>(levels.levels.size()); };
         if (options.stages.contains(Stage::Walls))
         {
             context.report(std::format("Walls of {}", building.storeys[i].name), stageFraction(0.0));
@@ -97,6 +137,7 @@ Building reconstruct(const CloudView& cloud, const PipelineOptions& options, con
             append(building.diagnostics, std::move(columns.diagnostics));
         }
     }
+    addRooms(cells, levels.levels, options, nextId, building, context);
     return building;
 }
 

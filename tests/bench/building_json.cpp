@@ -39,6 +39,26 @@ std::string buildingJson(const Building& building)
     for (const Column& c : building.columns)
         out["columns"].push_back({{"id", c.id.value}, {"storey", c.storey.value}, {"center", world(c.center)}, {"yaw", c.yaw_rad + building.frame.yaw_rad},
                                   {"round", std::holds_alternative<CircleSection>(c.section)}});
+    const auto polygon = [&](const Polygon& p)
+    {
+        json rings = json::array({ring(p.outer)});
+        for (const auto& hole : p.holes)
+            rings.push_back(ring(hole));
+        return rings;
+    };
+    for (const Slab& s : building.slabs)
+        out["slabs"].push_back({{"id", s.id.value}, {"storey", s.storey.value}, {"kind", static_cast<int>(s.kind)}, {"rings", polygon(s.outline)},
+                                {"top", s.top_m}, {"thickness", s.thickness.value_m}, {"measured", s.thickness.provenance == Provenance::Measured},
+                                {"points", s.evidence.points}, {"coverage", s.evidence.faceCoverage}, {"rms", s.evidence.rms_m}});
+    for (const Space& s : building.spaces)
+    {
+        json walls = json::array();
+        for (const ElementId w : s.boundedBy)
+            walls.push_back(w.value);
+        out["spaces"].push_back({{"id", s.id.value}, {"storey", s.storey.value}, {"name", s.name}, {"rings", polygon(s.outline)}, {"area", s.area_m2},
+                                 {"floor", s.floor_m}, {"height", s.height.value_m}, {"measured", s.height.provenance == Provenance::Measured},
+                                 {"boundedBy", walls}});
+    }
     for (const Diagnostic& d : building.diagnostics)
         out["diagnostics"].push_back({{"stage", d.stage}, {"code", d.code}, {"text", d.text}, {"element", d.element.value}});
     return out.dump(1);

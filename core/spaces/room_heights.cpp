@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/spaces/room_heights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace s2b
+{
+namespace
+{
+
+constexpr double kBin_m = 0.02;
+constexpr double kBand_m = 0.05;       // half of the height range that is one ceiling
+constexpr double kHead_m = 1.9;
+constexpr double kCeilingShare = 1.0 / 3;  // of a room's plan, for its ceiling to be called seen
+
+struct Heights
+{
+    std::vector<std::uint32_t> floor, overhead;  ///< cells a bin
+    std::size_t pixels = 0;
+};
+
+/// Mean height within the band about the fullest place of a histogram, and how much of it there is.
+struct Peak
+{
+    double z = 0, rms = 0;
+    double cells = 0;
+};
+
+Peak peakOf(const std::vector<std::uint32_t>& bins, double low)
+{
+    const int reach = static_cast<int>(std::lround(kBand_m / kBin_m));
+    const int n = static_cast<int>(bins.size());
+    double most = 0;
+    int centre = -1;
+    for (int i = 0; i < n; ++i)
+    {
+        double sum = 0;
+        for (int k = std::max(0, i - reach); k <= std::min(n - 1, i + reach); ++k)
+            sum += bins[static_cast<std::size_t>(k)];
+        if (sum > most)
+            most = sum, centre = i;
+    }
+    Peak peak;
+    if (centre < 0)
+        return peak;
+    double first = 0, second = 0;
+    for (int k = std::max(0, centre - reach); k <= std::min(n - 1, centre + reach); ++k)
+    {
+        const double w = bins[static_cast<std::size_t>(k)], z = low + (k + 0.5) * kBin_m;
+        first += w * z;
+        second += w * z * z;
+    }
+    peak.z = first / most;
+    peak.rms = std::sqrt(std::max(0.0, second / most - peak.z * peak.z));
+    peak.cells = most;
+    return peak;
+}
+
+bool isSurfaceOfRoom(const SurfaceCells& cells, const SurfaceCell& c)
+{
+    if (std::abs(c.normal.z()) < 0.9f)
+        return false;
+    return !cells.hasLabels || (c.label != Label::Wall && c.label != Label::Window && c.label != Label::Door &&
+                                c.label != Label::Furniture && c.label != Label::Column && c.label != Label::Stair);
+}
+
+}  // namespace
+
+void measureHeights(const SurfaceCells& cells, RoomPlan& plan)
+{
+    const Level& level = plan.level;
+    std::vector<std::uint32_t> roomOf(plan.grid.size(), 0);  // 1 + index
+    std::vector<Heights> heights(plan.rooms.size());
+    const double floorLow = level.floor_m - 0.10, overheadLow = level.floor_m + kHead_m, overheadHigh = level.ceiling_m + 0.08;
+    const auto bins = [](double length) { return static_cast<std::size_t>(std::max(1.0, std::ceil(length / kBin_m))); };
+    for (std::size_t r = 0; r < plan.rooms.size(); ++r)
+    {
+        forEachPixel(plan.rooms[r].outline, plan.grid,
+                     [&](std::size_t i)
+                     {
+                         roomOf[i] = static_cast<std::uint32_t>(r + 1);
+                         ++heights[r].pixels;
+                     });
+        heights[r].floor.assign(bins(0.20), 0);
+        heights[r].overhead.assign(bins(overheadHigh - overheadLow), 0);
+    }
+    for (const SurfaceCell& c : cells.cells)
+    {
+        const double z = static_cast<double>(c.position.z());
+        if (z < floorLow || z > overheadHigh || !isSurfaceOfRoom(cells, c))
+            continue;
+        const std::size_t i = plan.grid.find(c.position.head<2>().cast<double>());
+        if (i >= roomOf.size() || roomOf[i] == 0)
+            continue;
+        Heights& h = heights[roomOf[i] - 1];
+        const auto add = [&](std::vector<std::uint32_t>& histogram, double low)
+        {
+            const double bin = (z - low) / kBin_m;
+            if (bin >= 0 && bin < static_cast<double>(histogram.size()))
+                ++histogram[static_cast<std::size_t>(bin)];
+        };
+        add(h.floor, floorLow);
+        add(h.overhead, overheadLow);
+    }
+    const double cellsPerPixel = (plan.grid.pixel_m / cells.size_m) * (plan.grid.pixel_m / cells.size_m);
+    for (std::size_t r = 0; r < plan.rooms.size(); ++r)
+    {
+        Room& room = plan.rooms[r];
+        const double full = static_cast<double>(heights[r].pixels) * cellsPerPixel;
+        const Peak floor = peakOf(heights[r].floor, floorLow), ceiling = peakOf(heights[r].overhead, overheadLow);
+        room.floor_m = floor.cells > 0.1 * full ? floor.z : level.floor_m;
+        room.ceilingSeen = ceiling.cells > kCeilingShare * full;
+        room.ceiling_m = room.ceilingSeen ? ceiling.z : level.ceiling_m;
+        room.ceilingRms_m = room.ceilingSeen ? ceiling.rms : 0;
+    }
+}
+
+}  // namespace s2b
