@@ -30,9 +30,13 @@ struct ColumnResult
     std::vector<Diagnostic> diagnostics;
 };
 
-/// Finds the columns of one storey from their labelled points (D3.6, 3.6): DBSCAN in plan of a slice between floor and
-/// ceiling, then a rectangle or a circle, whichever the points fit.
-[[nodiscard]] ColumnResult findColumns(const SurfaceCells& cells, const Level& level, ElementId storey, std::uint32_t& nextId,
-                                       const ColumnParams& params, const Context& context);
+/// Finds the columns of one storey (D3.6, 3.6): DBSCAN in plan of a slice between floor and ceiling, then a rectangle or a
+/// circle, whichever the points fit.
+///
+/// From their labelled points; without labels from what stands free of the walls, is no larger than a column and reaches
+/// from the floor to the ceiling. A circle seen from one side takes the radius of the storey's other round columns.
+/// @param walls  of this storey
+[[nodiscard]] ColumnResult findColumns(const SurfaceCells& cells, const Level& level, const std::vector<Wall>& walls, ElementId storey,
+                                       std::uint32_t& nextId, const ColumnParams& params, const Context& context);
 
 }  // namespace s2b

@@ -5,9 +5,9 @@
 #include "core/geometry/rectangle.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 
 namespace s2b
@@ -15,29 +15,48 @@ namespace s2b
 namespace
 {
 
+constexpr double kRow_m = 0.10;
+
 /// Surface seen from the top: the cells above one small square of the plan.
 struct Spot
 {
     Eigen::Vector2d position = Eigen::Vector2d::Zero();
     Eigen::Vector2d normal = Eigen::Vector2d::Zero();
-    double weight = 0;  ///< cells above each other
+    double weight = 0;        ///< cells above each other
+    std::uint64_t points = 0;
+    std::uint64_t rows = 0;   ///< bit r: something was seen at that height above the floor
 };
 
-std::vector<Spot> spotsOf(const SurfaceCells& cells, const Level& level, const ColumnParams& params)
+bool isInWall(const Eigen::Vector2d& p, const std::vector<Wall>& walls)
+{
+    constexpr double margin = 0.06;
+    return std::any_of(walls.begin(), walls.end(),
+                       [&](const Wall& w)
+                       {
+                           const Eigen::Vector2d d = p - w.start;
+                           const double s = w.direction().dot(d);
+                           return s > w.bodyStart_m - margin && s < w.bodyEnd_m + margin &&
+                                  std::abs(w.normal().dot(d)) < w.thickness.value_m / 2 + margin;
+                       });
+}
+
+std::vector<Spot> spotsOf(const SurfaceCells& cells, const Level& level, const std::vector<Wall>& walls, const ColumnParams& params)
 {
     const double margin = std::min(params.sliceMargin_m, 0.25 * (level.ceiling_m - level.floor_m));
     std::map<std::pair<int, int>, Spot> spots;
     for (const SurfaceCell& c : cells.cells)
     {
         const double z = static_cast<double>(c.position.z());
-        if (c.label != Label::Column || c.normal.isZero() || std::abs(c.normal.z()) > 0.4f || z < level.floor_m + margin ||
-            z > level.ceiling_m - margin)
+        if (c.normal.isZero() || std::abs(c.normal.z()) > 0.4f || z < level.floor_m + margin || z > level.ceiling_m - margin ||
+            (cells.hasLabels && c.label != Label::Column))
             continue;
         const Eigen::Vector2d p = c.position.head<2>().cast<double>();
         Spot& s = spots[{static_cast<int>(std::floor(p.x() / cells.size_m)), static_cast<int>(std::floor(p.y() / cells.size_m))}];
         s.position += p;
         s.weight += 1;
-        Eigen::Vector2d n = c.normal.head<2>().cast<double>();
+        s.points += c.count;
+        s.rows |= 1ull << std::min(63, static_cast<int>((z - level.floor_m) / kRow_m));
+        const Eigen::Vector2d n = c.normal.head<2>().cast<double>();
         s.normal += n.dot(s.normal) < 0 ? Eigen::Vector2d(-n) : n;
     }
     std::vector<Spot> result;
@@ -45,7 +64,8 @@ std::vector<Spot> spotsOf(const SurfaceCells& cells, const Level& level, const C
     {
         s.position /= s.weight;
         s.normal.normalize();
-        result.push_back(s);
+        if (cells.hasLabels || !isInWall(s.position, walls))
+            result.push_back(s);
     }
     return result;
 }
@@ -78,15 +98,75 @@ double sidePosition(const std::vector<Spot>& spots, const Eigen::Vector2d& direc
     return w > 0.03 * total ? mean / w : outermost;
 }
 
-}  // namespace
-
-ColumnResult findColumns(const SurfaceCells& cells, const Level& level, ElementId storey, std::uint32_t& nextId,
-                         const ColumnParams& params, const Context& context)
+/// The points of one column candidate and what fits them.
+struct Candidate
 {
-    ColumnResult result;
-    const std::vector<Spot> spots = spotsOf(cells, level, params);
-    if (spots.empty())
-        return result;
+    std::vector<Spot> spots;
+    std::vector<Eigen::Vector2d> points;
+    std::vector<double> weights;
+    double weight = 0;
+    Eigen::Vector2d x = Eigen::Vector2d::UnitX(), center = Eigen::Vector2d::Zero();
+    double width = 0, depth = 0, rectangleRms = 0;
+    std::optional<CircleFit> circle;
+    bool isRound = false;
+};
+
+CircleOptions circleOptions(const ColumnParams& params, const Context& context)
+{
+    CircleOptions o;
+    o.trials = params.circleTrials;
+    o.maximumRadius_m = params.maximumSize_m / 2;
+    o.seed = context.seed;
+    return o;
+}
+
+void fitRectangle(Candidate& c)
+{
+    // Along the building's axes unless another direction is clearly tighter.
+    const OrientedRectangle tight = minimumRectangle(c.points), straight = rectangleAlong(c.points, Eigen::Vector2d::UnitX());
+    if (tight.area() > 0 && tight.area() < 0.85 * straight.area())
+        c.x = tight.axis;
+    const Eigen::Vector2d y(-c.x.y(), c.x.x());
+    constexpr double tolerance = 0.02;
+    const double xHigh = sidePosition(c.spots, c.x, tolerance), xLow = -sidePosition(c.spots, -c.x, tolerance);
+    const double yHigh = sidePosition(c.spots, y, tolerance), yLow = -sidePosition(c.spots, -y, tolerance);
+    c.width = xHigh - xLow;
+    c.depth = yHigh - yLow;
+    c.center = c.x * ((xLow + xHigh) / 2) + y * ((yLow + yHigh) / 2);
+    double square = 0;
+    for (const Spot& s : c.spots)
+    {
+        const double u = c.x.dot(s.position), v = y.dot(s.position);
+        const double d = std::min({std::abs(u - xLow), std::abs(u - xHigh), std::abs(v - yLow), std::abs(v - yHigh)});
+        square += s.weight * d * d;
+    }
+    c.rectangleRms = std::sqrt(square / c.weight);
+}
+
+bool isCircle(const Candidate& c, const CircleFit& f, const ColumnParams& params, double coverage)
+{
+    return f.rms_m < params.circleTolerance_m && f.inlierShare > 0.8 && f.arcCoverage > coverage &&
+           (f.rms_m < c.rectangleRms || coverage < 0.3) && 2 * f.radius_m <= params.maximumSize_m;
+}
+
+/// Does the candidate stand on the floor and reach the ceiling, without a large gap?
+bool isFullHeight(const std::vector<Spot>& spots, const Level& level, const ColumnParams& params)
+{
+    std::uint64_t rows = 0;
+    for (const Spot& s : spots)
+        rows |= s.rows;
+    const double margin = std::min(params.sliceMargin_m, 0.25 * (level.ceiling_m - level.floor_m));
+    const int first = static_cast<int>(std::ceil(margin / kRow_m)) + 1, last = std::min(63, static_cast<int>((level.ceiling_m - level.floor_m - margin) / kRow_m) - 1);
+    int seen = 0;
+    for (int r = first; r <= last; ++r)
+        seen += static_cast<int>(rows >> r & 1);
+    return last > first && seen >= 0.8 * (last - first + 1) && (rows >> (last - 1)) != 0;
+}
+
+std::vector<Candidate> candidatesOf(const SurfaceCells& cells, const Level& level, const std::vector<Wall>& walls, const ColumnParams& params,
+                                    const Context& context)
+{
+    const std::vector<Spot> spots = spotsOf(cells, level, walls, params);
     std::vector<Eigen::Vector2d> positions;
     for (const Spot& s : spots)
         positions.push_back(s.position);
@@ -95,78 +175,97 @@ ColumnResult findColumns(const SurfaceCells& cells, const Level& level, ElementI
     for (std::size_t i = 0; i < id.size(); ++i)
         if (id[i] >= 0)
             clusters[id[i]].push_back(spots[i]);
+    std::vector<Candidate> candidates;
     for (auto& [k, members] : clusters)
     {
         context.checkCancelled();
+        if (!cells.hasLabels && !isFullHeight(members, level, params))
+            continue;
         // Stray cells (mixed pixels, wrong labels) stand alone; a column's surface is stacked.
-        double highest = 0, weight = 0;
+        Candidate c;
+        double highest = 0;
         for (const Spot& s : members)
             highest = std::max(highest, s.weight);
         std::erase_if(members, [&](const Spot& s) { return s.weight < 0.12 * highest; });
-        for (const Spot& s : members)
-            weight += s.weight;
-        if (weight < params.clusterMinimumCells || members.size() < 4)
+        c.spots = std::move(members);
+        for (const Spot& s : c.spots)
+            c.points.push_back(s.position), c.weights.push_back(s.weight), c.weight += s.weight;
+        if (c.weight < params.clusterMinimumCells || c.spots.size() < 4)
             continue;
-        std::vector<Eigen::Vector2d> points;
-        std::vector<double> weights;
-        for (const Spot& s : members)
-            points.push_back(s.position), weights.push_back(s.weight);
+        fitRectangle(c);
+        c.circle = fitCircle(c.points, c.weights, circleOptions(params, context));
+        c.isRound = c.circle && isCircle(c, *c.circle, params, 0.35);
+        candidates.push_back(std::move(c));
+    }
+    return candidates;
+}
 
+/// Round columns of one storey mostly have one radius: it settles those of which little was seen.
+void shareRadius(std::vector<Candidate>& candidates, const ColumnParams& params, const Context& context)
+{
+    std::vector<double> radii;
+    for (const Candidate& c : candidates)
+        if (c.isRound && c.circle->arcCoverage > 0.5)
+            radii.push_back(c.circle->radius_m);
+    if (radii.size() < 3)
+        return;
+    const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+    std::nth_element(radii.begin(), middle, radii.end());
+    for (Candidate& c : candidates)
+    {
+        if ((c.isRound && c.circle->arcCoverage > 0.5) || std::max(c.width, c.depth) > 2.3 * *middle)
+            continue;
+        CircleOptions options = circleOptions(params, context);
+        options.knownRadius_m = *middle;
+        if (const auto fit = fitCircle(c.points, c.weights, options); fit && isCircle(c, *fit, params, 0.1))
+            c.circle = fit, c.isRound = true;
+    }
+}
+
+}  // namespace
+
+ColumnResult findColumns(const SurfaceCells& cells, const Level& level, const std::vector<Wall>& walls, ElementId storey,
+                         std::uint32_t& nextId, const ColumnParams& params, const Context& context)
+{
+    ColumnResult result;
+    std::vector<Candidate> candidates = candidatesOf(cells, level, walls, params, context);
+    shareRadius(candidates, params, context);
+    for (const Candidate& k : candidates)
+    {
         Column c;
         c.storey = storey;
         c.base_m = level.floor_m;
         c.height = {level.ceiling_m - level.floor_m, level.ceilingSeen ? Provenance::Measured : Provenance::Assumed, 0.0};
-        // A rectangle along the building's axes unless another direction is clearly tighter.
-        const OrientedRectangle tight = minimumRectangle(points);
-        const OrientedRectangle straight = rectangleAlong(points, Eigen::Vector2d::UnitX());
-        const bool turned = tight.area() < 0.85 * straight.area() && tight.area() > 0;
-        const Eigen::Vector2d x = turned ? tight.axis : Eigen::Vector2d::UnitX(), y(-x.y(), x.x());
-        const double tolerance = 0.02;
-        const double xHigh = sidePosition(members, x, tolerance), xLow = -sidePosition(members, -x, tolerance);
-        const double yHigh = sidePosition(members, y, tolerance), yLow = -sidePosition(members, -y, tolerance);
-        const double width = xHigh - xLow, depth = yHigh - yLow;
-        // How well the outline of the rectangle explains the points, and how well a circle does.
-        double square = 0;
-        for (const Spot& s : members)
+        if (k.isRound)
         {
-            const double u = x.dot(s.position), v = y.dot(s.position);
-            const double d = std::min({std::abs(u - xLow), std::abs(u - xHigh), std::abs(v - yLow), std::abs(v - yHigh)});
-            square += s.weight * d * d;
-        }
-        CircleOptions circleOptions;
-        circleOptions.trials = params.circleTrials;
-        circleOptions.maximumRadius_m = params.maximumSize_m / 2;
-        circleOptions.seed = context.seed;
-        const double rectangleRms = std::sqrt(square / weight);
-        const std::optional<CircleFit> circle = fitCircle(points, weights, circleOptions);
-        const bool isRound = circle && circle->rms_m < params.circleTolerance_m && circle->rms_m < rectangleRms &&
-                             2 * circle->radius_m <= params.maximumSize_m && circle->arcCoverage > 0.3 && circle->inlierShare > 0.8;
-        if (isRound)
-        {
-            c.center = circle->center;
-            c.section = CircleSection{circle->radius_m};
-            c.evidence.rms_m = circle->rms_m;
+            c.center = k.circle->center;
+            c.section = CircleSection{k.circle->radius_m};
+            c.evidence.rms_m = k.circle->rms_m;
         }
         else
         {
-            c.center = x * ((xLow + xHigh) / 2) + y * ((yLow + yHigh) / 2);
-            c.yaw_rad = std::atan2(x.y(), x.x());
-            c.section = RectangleSection{width, depth};
-            c.evidence.rms_m = rectangleRms;
+            c.center = k.center;
+            c.yaw_rad = std::atan2(k.x.y(), k.x.x());
+            c.section = RectangleSection{k.width, k.depth};
+            c.evidence.rms_m = k.rectangleRms;
         }
-        const double size = isRound ? 2 * circle->radius_m : std::max(width, depth);
-        const double smallest = isRound ? size : std::min(width, depth);
-        if (size > params.maximumSize_m || smallest < params.minimumSize_m)
+        const double largest = k.isRound ? 2 * k.circle->radius_m : std::max(k.width, k.depth);
+        const double smallest = k.isRound ? largest : std::min(k.width, k.depth);
+        // Without labels a thin or long thing is a panel or a piece of wall.
+        const bool isSlender = !cells.hasLabels && (largest > 1.0 || smallest < 0.4 * largest);
+        if (largest > params.maximumSize_m || smallest < params.minimumSize_m || isSlender)
         {
-            result.diagnostics.push_back({Severity::Warning, "columns", "SizeOutOfRange",
-                                          "Points labelled column form no column of a permitted size.", {},
-                                          Eigen::Vector3d(c.center.x(), c.center.y(), level.floor_m)});
+            if (cells.hasLabels)
+                result.diagnostics.push_back({Severity::Warning, "columns", "SizeOutOfRange",
+                                              "Points labelled column form no column of a permitted size.", {},
+                                              Eigen::Vector3d(c.center.x(), c.center.y(), level.floor_m)});
             continue;
         }
         c.id = ElementId{nextId++};
-        c.evidence.points = static_cast<std::uint64_t>(weight);
+        for (const Spot& s : k.spots)
+            c.evidence.points += s.points;
         c.evidence.facesSeen = 2;
-        c.evidence.labelShare = 1.0;
+        c.evidence.labelShare = cells.hasLabels ? 1.0 : 0.0;
         result.columns.push_back(c);
     }
     return result;

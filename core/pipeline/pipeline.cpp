@@ -64,6 +64,19 @@ void addRooms(const SurfaceCells& cells, const std::vector<Level>& levels, const
     }
 }
 
+/// Moves cells and levels so that the lowest floor is at z = 0; returns by how much it was above.
+double liftToLowestFloor(SurfaceCells& cells, LevelResult& levels)
+{
+    const double lowest = levels.levels.front().floor_m;
+    for (SurfaceCell& c : cells.cells)
+        c.position.z() = static_cast<float>(static_cast<double>(c.position.z()) - lowest);
+    for (Level& l : levels.levels)
+        l.floor_m -= lowest, l.ceiling_m -= lowest;
+    for (Diagnostic& d : levels.diagnostics)
+        d.location.z() -= lowest;
+    return lowest;
+}
+
 }  // namespace
 
 Building reconstruct(const CloudView& cloud, const PipelineOptions& options, const Context& context)
@@ -90,6 +103,8 @@ Building reconstruct(const CloudView& cloud, const PipelineOptions& options, con
 
     context.report("Levels", 0.55);
     LevelResult levels = findLevels(cells, p.levels, context);
+    if (!levels.levels.empty())
+        building.frame.origin.z() += liftToLowestFloor(cells, levels);
     append(building.diagnostics, std::move(levels.diagnostics));
     for (std::size_t i = 0; i < levels.levels.size(); ++i)
     {
@@ -108,6 +123,7 @@ Building reconstruct(const CloudView& cloud, const PipelineOptions& options, con
         const ElementId storey = building.storeys[i].id;
         const auto stageFraction = [&](double within)
         { return 0.6 + 0.32 * (static_cast<double>(i) + within) / static_cast<double>(levels.levels.size()); };
+        std::vector<Wall> storeyWalls;
         if (options.stages.contains(Stage::Walls))
         {
             context.report(std::format("Walls of {}", building.storeys[i].name), stageFraction(0.0));
@@ -125,6 +141,7 @@ Building reconstruct(const CloudView& cloud, const PipelineOptions& options, con
                 append(building.openings, std::move(openings.openings));
                 append(building.diagnostics, std::move(openings.diagnostics));
             }
+            storeyWalls = walls.walls;
             append(building.walls, std::move(walls.walls));
             append(building.junctions, std::move(walls.junctions));
             append(building.diagnostics, std::move(walls.diagnostics));
@@ -132,7 +149,7 @@ Building reconstruct(const CloudView& cloud, const PipelineOptions& options, con
         if (options.stages.contains(Stage::Columns))
         {
             context.report(std::format("Columns of {}", building.storeys[i].name), stageFraction(0.8));
-            ColumnResult columns = findColumns(cells, level, storey, nextId, p.columns, context);
+            ColumnResult columns = findColumns(cells, level, storeyWalls, storey, nextId, p.columns, context);
             append(building.columns, std::move(columns.columns));
             append(building.diagnostics, std::move(columns.diagnostics));
         }

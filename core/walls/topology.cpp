@@ -49,7 +49,7 @@ bool isOneWall(const WallBody& a, const WallBody& b, const PlanMask& mask, const
         return free < 0.4;
     // A doorway below a low lintel: the faces were not seen above it, but neither was the ceiling.
     constexpr double doorway_m = 1.3;
-    if (gap <= doorway_m && a.bothSeen() && b.bothSeen() && lowFits && highFits)
+    if (gap <= doorway_m && (a.bothSeen() || b.bothSeen()) && lowFits && highFits)
         return free < 0.5;
     // A longer gap was hidden, not open: nothing seen in it, and the pieces are long and agree closely.
     return free < 0.03 && gap < a.end - a.begin && gap < b.end - b.begin &&
