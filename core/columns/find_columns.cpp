@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 
 namespace s2b
@@ -143,9 +144,22 @@ void fitRectangle(Candidate& c)
     c.rectangleRms = std::sqrt(square / c.weight);
 }
 
+/// Share of the circle between the first and the last point seen from its centre: all but the widest gap.
+double seenArc(const Candidate& c, const CircleFit& f)
+{
+    std::vector<double> angles;
+    for (const Eigen::Vector2d& p : c.points)
+        angles.push_back(std::atan2(p.y() - f.center.y(), p.x() - f.center.x()));
+    std::sort(angles.begin(), angles.end());
+    double widest = angles.front() + 2 * std::numbers::pi - angles.back();
+    for (std::size_t i = 1; i < angles.size(); ++i)
+        widest = std::max(widest, angles[i] - angles[i - 1]);
+    return 1 - widest / (2 * std::numbers::pi);
+}
+
 bool isCircle(const Candidate& c, const CircleFit& f, const ColumnParams& params, double coverage)
 {
-    return f.rms_m < params.circleTolerance_m && f.inlierShare > 0.8 && f.arcCoverage > coverage &&
+    return f.rms_m < params.circleTolerance_m && f.inlierShare > 0.8 && seenArc(c, f) > coverage &&
            (f.rms_m < c.rectangleRms || coverage < 0.3) && 2 * f.radius_m <= params.maximumSize_m;
 }
 
@@ -205,7 +219,7 @@ void shareRadius(std::vector<Candidate>& candidates, const ColumnParams& params,
 {
     std::vector<double> radii;
     for (const Candidate& c : candidates)
-        if (c.isRound && c.circle->arcCoverage > 0.5)
+        if (c.isRound && seenArc(c, *c.circle) > 0.6)
             radii.push_back(c.circle->radius_m);
     if (radii.size() < 3)
         return;
@@ -213,7 +227,7 @@ void shareRadius(std::vector<Candidate>& candidates, const ColumnParams& params,
     std::nth_element(radii.begin(), middle, radii.end());
     for (Candidate& c : candidates)
     {
-        if ((c.isRound && c.circle->arcCoverage > 0.5) || std::max(c.width, c.depth) > 2.3 * *middle)
+        if ((c.isRound && seenArc(c, *c.circle) > 0.6) || std::max(c.width, c.depth) > 2.3 * *middle)
             continue;
         CircleOptions options = circleOptions(params, context);
         options.knownRadius_m = *middle;
