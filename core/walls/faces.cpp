@@ -293,7 +293,7 @@ std::vector<Face> gather(const std::vector<Line>& lines, const SurfaceCells& cel
 }
 
 /// Walls reach the ceiling above them, at least where no opening interrupts them; leaves, cupboards and sills don't.
-bool reachesCeiling(const Face& face, const Level& level, const PlanMask& mask)
+bool reachesCeiling(const Face& face, const PlanMask& mask)
 {
     std::size_t seen = 0, reaching = 0;
     for (std::size_t b = 0; b < face.rows.size(); ++b)
@@ -301,9 +301,11 @@ bool reachesCeiling(const Face& face, const Level& level, const PlanMask& mask)
         if (!face.rows[b])
             continue;
         const double s = face.begin + (static_cast<double>(b) + 0.5) * Face::kBin_m;
-        double overhead = std::max(mask.overhead_m(face.at(s) + 0.2 * face.n()), mask.overhead_m(face.at(s) - 0.2 * face.n()));
+        double overhead = -1;
+        for (const double d : {-0.45, -0.2, 0.2, 0.45})
+            overhead = std::max(overhead, mask.overhead_m(face.at(s) + d * face.n()));
         if (overhead < 0)
-            overhead = level.ceilingSeen ? level.ceiling_m - level.floor_m : 1.3;
+            overhead = 1.6;  // nothing above it was seen (outdoors, no ceiling): as high as a person will do
         ++seen;
         reaching += Face::kRow_m * (64 - std::countl_zero(face.rows[b])) >= overhead - 0.3;
     }
@@ -312,9 +314,9 @@ bool reachesCeiling(const Face& face, const Level& level, const PlanMask& mask)
 
 /// Is it a face of a wall, or of something that stands in the room or hangs on a wall? Labels and shape weigh each other:
 /// what has a wall's shape needs few labels, what hasn't needs many; without labels the shape decides.
-bool isWallFace(const Face& face, const SurfaceCells& cells, const Level& level, const PlanMask& mask)
+bool isWallFace(const Face& face, const SurfaceCells& cells, const PlanMask& mask)
 {
-    const bool reaches = reachesCeiling(face, level, mask);
+    const bool reaches = reachesCeiling(face, mask);
     if (!cells.hasLabels)
         return reaches;
     return reaches ? face.wallShare > 0.4 : face.wallShare > 0.8 && face.area_m2 > 0.4;
@@ -446,7 +448,7 @@ std::vector<Face> findFaces(const SurfaceCells& cells, const Level& level, const
             std::tie(l.begin, l.end) = std::pair(-l.end, -l.begin);
         }
     std::vector<Face> faces = gather(lines, cells, level, params);
-    std::erase_if(faces, [&](const Face& f) { return !isWallFace(f, cells, level, mask); });
+    std::erase_if(faces, [&](const Face& f) { return !isWallFace(f, cells, mask); });
     findSides(faces, mask, params.mergeOffset_m);
     std::vector<Face> kept;
     for (const Face& f : faces)

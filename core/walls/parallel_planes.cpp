@@ -168,7 +168,9 @@ std::vector<WallBody> pairFaces(const std::vector<Face>& faces, const PlanMask& 
             const double begin = f.begin + static_cast<double>(b) * step, end = std::min(f.end, f.begin + static_cast<double>(e) * step);
             WallBody* nearest = nullptr;
             for (std::size_t k = 0; k < pairs.size(); ++k)
-                if ((pairs[k].low == i || pairs[k].high == i) && bodies[k].begin < end + step && bodies[k].end > begin - step)
+                // A short pair (a pane behind an opening) says nothing of a long rest.
+                if ((pairs[k].low == i || pairs[k].high == i) && bodies[k].begin < end + step && bodies[k].end > begin - step &&
+                    pairs[k].end - pairs[k].begin > 0.3 * (end - begin))
                 {
                     if (!nearest || bodies[k].end - bodies[k].begin > nearest->end - nearest->begin)
                         nearest = &bodies[k];

@@ -95,6 +95,12 @@ double coveredBy(const WallBody& a, const WallBody& b)
     return static_cast<double>(inside) / (n * m);
 }
 
+/// Half of what b's body takes of a's length where the two meet, both corners of a outside b.
+double halfAcrossOf(const WallBody& a, const WallBody& b)
+{
+    return (b.thickness() / 2 + std::abs(a.t.dot(b.t)) * a.thickness() / 2) / std::abs(cross(a.t, b.t));
+}
+
 /// What an end of a wall could meet.
 struct Meeting
 {
@@ -116,7 +122,7 @@ std::optional<Meeting> meetingOf(const WallBody& a, bool atEnd, const WallBody& 
     m.other = other;
     m.s = cross(pb - pa, b.t) / sine;
     m.sOther = cross(pb - pa, a.t) / sine;
-    const double halfAcross = (b.thickness() / 2 + std::abs(a.t.dot(b.t)) * a.thickness() / 2) / std::abs(sine);
+    const double halfAcross = halfAcrossOf(a, b);
     const double end = atEnd ? a.end : a.begin, out = atEnd ? 1.0 : -1.0;
     const double beyond = out * (m.s - end);  // > 0: the axis has to be drawn
     m.move = beyond - halfAcross;             // to the near face of the other
@@ -129,6 +135,38 @@ std::optional<Meeting> meetingOf(const WallBody& a, bool atEnd, const WallBody& 
     if (m.move > 0.08 && freeBetween(a, std::min(end, end + out * m.move), std::max(end, end + out * m.move), mask) > 0.4)
         return std::nullopt;
     return m;
+}
+
+/// Where one body runs through another the shorter one is split: it ends on the other from both sides.
+void splitCrossings(std::vector<WallBody>& bodies, double minimumLength)
+{
+    const auto splitOne = [&]
+    {
+        for (std::size_t i = 0; i < bodies.size(); ++i)
+            for (std::size_t j = 0; j < bodies.size(); ++j)
+            {
+                WallBody& a = bodies[i];
+                const WallBody& b = bodies[j];
+                const double sine = cross(a.t, b.t);
+                if (i == j || std::abs(sine) < std::sin(10 * std::numbers::pi / 180) || std::tuple(a.end - a.begin, i) > std::tuple(b.end - b.begin, j) ||
+                    a.bottom >= b.top || b.bottom >= a.top)
+                    continue;
+                const Eigen::Vector2d between = b.n() * b.middle() - a.n() * a.middle();
+                const double sa = cross(between, b.t) / sine, sb = cross(between, a.t) / sine, half = halfAcrossOf(a, b);
+                if (sa - half < a.begin + minimumLength || sa + half > a.end - minimumLength || sb < b.begin + minimumLength ||
+                    sb > b.end - minimumLength)
+                    continue;
+                WallBody rest = a;
+                a.end = sa - half;
+                rest.begin = sa + half;
+                bodies.push_back(std::move(rest));
+                return true;
+            }
+        return false;
+    };
+    while (splitOne())
+    {
+    }
 }
 
 }  // namespace
@@ -167,6 +205,7 @@ Plan connectWalls(std::vector<WallBody> bodies, const PlanMask& mask, const Wall
     Plan plan;
     std::erase_if(bodies, [&](const WallBody& b)
                   { return b.end - b.begin < params.minimumLength_m || b.thickness() < params.minimumThickness_m; });
+    splitCrossings(bodies, params.minimumLength_m);
     for (const WallBody& b : bodies)
         plan.walls.push_back({b, b.begin, b.end});
 
@@ -198,12 +237,13 @@ Plan connectWalls(std::vector<WallBody> bodies, const PlanMask& mask, const Wall
         WallBody& a = plan.walls[j.wall].body;
         const WallBody& b = bodies[j.other];
         const double sine = std::abs(cross(a.t, b.t));
+        // A wall that ends on another one does so where its first corner touches it; one that runs through covers it.
         const double half = b.thickness() / 2 / sine;
         const double s = j.atEnd ? plan.walls[j.wall].axisEnd : plan.walls[j.wall].axisBegin;
         const double out = j.atEnd ? 1.0 : -1.0;
         const double lengthA = bodies[j.wall].end - bodies[j.wall].begin, lengthB = b.end - b.begin;
         const bool through = j.otherEnd != 0 && std::tuple(lengthA, j.wall) > std::tuple(lengthB, j.other);
-        (j.atEnd ? a.end : a.begin) = s + out * (through ? half : -half);
+        (j.atEnd ? a.end : a.begin) = s + out * (through ? half : -halfAcrossOf(a, b));
     }
     return plan;
 }
