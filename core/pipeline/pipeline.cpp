@@ -34,7 +34,7 @@ void addRooms(const SurfaceCells& cells, const std::vector<Level>& levels, const
     if (!options.stages.contains(Stage::Slabs) && !options.stages.contains(Stage::Spaces))
         return;
     context.report("Rooms", 0.92);
-    const PlanGrid grid = planGridOf(cells);
+    const PlanCells plan = planCellsOf(cells);
     std::vector<RoomPlan> plans;
     std::vector<ElementId> storeys;
     for (std::size_t i = 0; i < levels.size(); ++i)
@@ -43,12 +43,12 @@ void addRooms(const SurfaceCells& cells, const std::vector<Level>& levels, const
         std::vector<Wall> walls;
         std::copy_if(building.walls.begin(), building.walls.end(), std::back_inserter(walls),
                      [&](const Wall& w) { return w.storey == storeys.back(); });
-        plans.push_back(planRooms(cells, levels[i], grid, std::move(walls), options.parameters.spaces, context));
+        plans.push_back(planRooms(plan, levels[i], std::move(walls), options.parameters.spaces, context));
     }
     if (options.stages.contains(Stage::Slabs))
     {
         context.report("Slabs", 0.95);
-        SlabResult slabs = findSlabs(cells, plans, storeys, nextId, options.parameters.slabs, context);
+        SlabResult slabs = findSlabs(plan, plans, storeys, nextId, options.parameters.slabs, context);
         append(building.slabs, std::move(slabs.slabs));
         append(building.diagnostics, std::move(slabs.diagnostics));
     }

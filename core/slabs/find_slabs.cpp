@@ -15,41 +15,38 @@ namespace
 constexpr double kNear_m = 0.06;            // cells this near to a surface's height are on it
 constexpr double kUndersideShare = 0.1;     // of a slab, for a ceiling below to say its thickness
 constexpr double kRoofCeilingShare = 0.3;   // of a roof, whose underside was seen
+constexpr double kAboveShare = 0.3;         // of a roof, where something of the next storey was seen
 constexpr double kRoofWidth_m = 1.0;        // narrower remains between two storeys' outlines are their walls'
 
-/// What was seen of a horizontal surface, by pixel.
+/// What was seen of a horizontal surface.
 struct Surface
 {
+    struct Hit
+    {
+        std::uint32_t pixel = 0;
+        std::uint32_t points = 0;
+        float off_m = 0;       ///< height above the surface
+        bool isLabelled = false;
+    };
+    std::vector<Hit> hits;  ///< a cell each
     PlanBits bits;
-    std::vector<std::uint32_t> points, labelled;
-    std::vector<float> square;  ///< sum of squared distances from it, over the points
 };
 
-/// @param height  of the surface at a pixel; NaN where there is none
-Surface surfaceOf(const SurfaceCells& cells, const PlanGrid& grid, const std::vector<float>& height, bool isFloor)
+/// @param height  of the surface by pixel
+Surface surfaceOf(const PlanCells& cells, const std::vector<float>& height, bool isFloor)
 {
     Surface s;
-    s.bits.assign(grid.size(), 0);
-    s.points.assign(grid.size(), 0);
-    s.labelled.assign(grid.size(), 0);
-    s.square.assign(grid.size(), 0.0f);
-    for (const SurfaceCell& c : cells.cells)
+    s.bits.assign(cells.grid.size(), 0);
+    for (const PlanCell& c : cells.cells)
     {
-        if (std::abs(c.normal.z()) < 0.9f)
+        const float off = c.z - height[c.pixel];
+        if (std::abs(off) >= static_cast<float>(kNear_m) || c.upward < 0.9f)
             continue;
         const bool fits = isFloor ? c.label == Label::Floor : c.label == Label::Ceiling || c.label == Label::Roof;
         if (cells.hasLabels && !fits && c.label != Label::Unassigned && c.label != Label::Beam)
             continue;
-        const std::size_t i = grid.find(c.position.head<2>().cast<double>());
-        if (i >= height.size())
-            continue;
-        const float off = c.position.z() - height[i];
-        if (!(std::abs(off) < static_cast<float>(kNear_m)))
-            continue;
-        s.bits[i] = 1;
-        s.points[i] += c.count;
-        s.labelled[i] += fits ? c.count : 0;
-        s.square[i] += static_cast<float>(c.count) * off * off;
+        s.bits[c.pixel] = 1;
+        s.hits.push_back({c.pixel, c.count, off, cells.hasLabels && fits});
     }
     return s;
 }
@@ -65,28 +62,34 @@ std::vector<float> heightsOf(const RoomPlan& plan, bool isFloor)
 
 void addEvidence(Evidence& evidence, const Polygon& outline, const PlanGrid& grid, const Surface* top, const Surface* underside)
 {
+    PlanBits inside(grid.size(), 0);
+    std::size_t all = 0;
+    forEachPixel(outline, grid, [&](std::size_t i) { inside[i] = 1, ++all; });
     double square = 0, labelled = 0;
     std::size_t side = 0;
     for (const Surface* s : {top, underside})
     {
-        std::size_t all = 0, seen = 0;
+        std::size_t seen = 0;
         if (s)
-            forEachPixel(outline, grid,
-                         [&](std::size_t i)
-                         {
-                             ++all;
-                             seen += s->bits[i];
-                             evidence.points += s->points[i];
-                             labelled += s->labelled[i];
-                             square += static_cast<double>(s->square[i]);
-                         });
+        {
+            forEachPixel(outline, grid, [&](std::size_t i) { seen += s->bits[i]; });
+            for (const Surface::Hit& h : s->hits)
+                if (inside[h.pixel])
+                {
+                    evidence.points += h.points;
+                    labelled += h.isLabelled ? h.points : 0;
+                    square += static_cast<double>(h.points) * static_cast<double>(h.off_m * h.off_m);
+                }
+        }
         evidence.faceCoverage[side] = all ? static_cast<double>(seen) / static_cast<double>(all) : 0;
         evidence.facesSeen += evidence.faceCoverage[side] > kUndersideShare;
         ++side;
     }
     if (evidence.points)
-        evidence.rms_m = std::sqrt(square / static_cast<double>(evidence.points)),
+    {
+        evidence.rms_m = std::sqrt(square / static_cast<double>(evidence.points));
         evidence.labelShare = labelled / static_cast<double>(evidence.points);
+    }
 }
 
 /// The highest level ceiling below a slab that covers a tenth of it.
@@ -119,10 +122,18 @@ std::optional<double> undersideOf(const Polygon& outline, const RoomPlan& below)
     return std::nullopt;
 }
 
+/// Whether the storey above goes on over an area that its slab does not cover.
+bool isUnder(const Polygon& outline, const RoomPlan& above)
+{
+    std::size_t all = 0, seen = 0;
+    forEachPixel(outline, above.grid, [&](std::size_t i) { ++all, seen += above.seen[i] != 0; });
+    return static_cast<double>(seen) > kAboveShare * static_cast<double>(all);
+}
+
 class Finder
 {
 public:
-    Finder(const SurfaceCells& cells, const std::vector<RoomPlan>& plans, const std::vector<ElementId>& storeys,
+    Finder(const PlanCells& cells, const std::vector<RoomPlan>& plans, const std::vector<ElementId>& storeys,
            std::uint32_t& nextId, const SlabParams& params)
         : m_cells(cells), m_plans(plans), m_storeys(storeys), m_nextId(nextId), m_params(params)
     {
@@ -133,12 +144,12 @@ public:
     void addFloors(std::size_t i)
     {
         const RoomPlan& plan = m_plans[i];
-        const Surface top = surfaceOf(m_cells, plan.grid, heightsOf(plan, true), true);
+        const Surface top = surfaceOf(m_cells, heightsOf(plan, true), true);
         std::optional<Surface> underside;
         std::vector<Polygon> outlines = m_outlines[i];
         if (i > 0)
         {
-            underside = surfaceOf(m_cells, plan.grid, heightsOf(m_plans[i - 1], false), false);
+            underside = surfaceOf(m_cells, heightsOf(m_plans[i - 1], false), false);
             outlines = subtract(outlines, slabHoles(plan, m_plans[i - 1], underside->bits, m_params));
         }
         if (outlines.empty())
@@ -166,10 +177,10 @@ public:
         if (!isTop)
             open = subtract(open, m_outlines[i + 1]);
         std::erase_if(open, [&](const Polygon& p)
-                      { return area(p) < m_params.minimumArea_m2 || 2 * area(p) < kRoofWidth_m * perimeter(p) / 2; });
+                      { return area(p) < m_params.minimumArea_m2 || 2 * area(p) < kRoofWidth_m * perimeter(p) || (!isTop && isUnder(p, m_plans[i + 1])); });
         if (open.empty())
             return;
-        const Surface underside = surfaceOf(m_cells, plan.grid, heightsOf(plan, false), false);
+        const Surface underside = surfaceOf(m_cells, heightsOf(plan, false), false);
         for (Polygon& outline : open)
         {
             Evidence evidence;
@@ -231,7 +242,7 @@ private:
         return {middle.x(), middle.y(), z};
     }
 
-    const SurfaceCells& m_cells;
+    const PlanCells& m_cells;
     const std::vector<RoomPlan>& m_plans;
     const std::vector<ElementId>& m_storeys;
     std::uint32_t& m_nextId;
@@ -242,7 +253,7 @@ private:
 
 }  // namespace
 
-SlabResult findSlabs(const SurfaceCells& cells, const std::vector<RoomPlan>& plans, const std::vector<ElementId>& storeys,
+SlabResult findSlabs(const PlanCells& cells, const std::vector<RoomPlan>& plans, const std::vector<ElementId>& storeys,
                      std::uint32_t& nextId, const SlabParams& params, const Context& context)
 {
     Finder finder(cells, plans, storeys, nextId, params);

@@ -32,7 +32,8 @@ bool isCarried(const Room& room, const RoomPlan& plan)
 }
 
 /// The part of a straight wall along the rooms, with the corners at its ends. Thickness 0: it is along none.
-Wall partAlong(const Wall& wall, const std::vector<Segment>& sides)
+/// @param gap  between wall and room
+Wall partAlong(const Wall& wall, const std::vector<Segment>& sides, double gap)
 {
     if (wall.bulge != 0.0)
         return wall;
@@ -43,10 +44,10 @@ Wall partAlong(const Wall& wall, const std::vector<Segment>& sides)
     {
         const double da = n.dot(s.a - wall.start), db = n.dot(s.b - wall.start);
         // On either face, or across an end.
-        if (std::max(std::abs(da), std::abs(db)) > half + kTouch_m)
+        if (std::max(std::abs(da), std::abs(db)) > half + gap + kTouch_m)
             continue;
         const double u = t.dot(s.a - wall.start), v = t.dot(s.b - wall.start);
-        if (std::max(u, v) < wall.bodyStart_m - kTouch_m || std::min(u, v) > wall.bodyEnd_m + kTouch_m)
+        if (std::max(u, v) < wall.bodyStart_m - gap - kTouch_m || std::min(u, v) > wall.bodyEnd_m + gap + kTouch_m)
             continue;
         low = std::min({low, u, v});
         high = std::max({high, u, v});
@@ -57,8 +58,8 @@ Wall partAlong(const Wall& wall, const std::vector<Segment>& sides)
         part.thickness.value_m = 0;
         return part;
     }
-    part.bodyStart_m = std::max(wall.bodyStart_m, low - kCorner_m);
-    part.bodyEnd_m = std::min(wall.bodyEnd_m, high + kCorner_m);
+    part.bodyStart_m = std::max(wall.bodyStart_m, low - gap - kCorner_m);
+    part.bodyEnd_m = std::min(wall.bodyEnd_m, high + gap + kCorner_m);
     return part;
 }
 
@@ -78,34 +79,48 @@ bool isNear(const std::vector<Segment>& edges, const Eigen::Vector2d& p, double 
 
 std::vector<Polygon> slabOutlines(const RoomPlan& plan, const SlabParams& params)
 {
-    std::vector<Polygon> parts, courtyards;
-    std::vector<Polygon> rooms;
     const double half = plan.wideningHalf_m;
+    std::vector<Polygon> carried, courtyards, walls;
     for (const Room& room : plan.rooms)
-    {
         if (room.kind == RoomKind::Uncovered)
             courtyards.push_back(room.outline);
-        if (!isCarried(room, plan))
-            continue;
-        parts.push_back(room.core);
-        rooms.push_back(room.outline);
-    }
-    const std::vector<Segment> sides = edgesOf(rooms);
+        else if (isCarried(room, plan))
+            carried.push_back(room.core);
+    if (carried.empty())
+        return {};
+    // What rooms and walls enclose together is carried as well, seen or not.
+    for (std::size_t w = 0; w < plan.walls.size(); ++w)
+        if (plan.isDividing[w])
+            walls.push_back(widened(plan.walls[w], half));
+    std::vector<Polygon> all = carried;
+    all.insert(all.end(), walls.begin(), walls.end());
+    all = unite(all);
+    for (const Polygon& p : all)
+        for (const Ring& hole : p.holes)
+            carried.push_back({hole, {}});
+
+    const std::vector<Segment> sides = edgesOf(carried);
     std::vector<Polygon> bodies;
     for (std::size_t w = 0; w < plan.walls.size(); ++w)
-        if (const Wall part = partAlong(plan.walls[w], sides); plan.isDividing[w] && part.thickness.value_m > 0)
-            bodies.push_back(widened(part, half));
+        if (plan.isDividing[w])
+            if (const Wall part = partAlong(plan.walls[w], sides, half); part.thickness.value_m > 0)
+                bodies.push_back(widened(part, half));
     const std::vector<Segment> wallEdges = edgesOf(unite(bodies));
+    std::vector<Polygon> parts = std::move(carried);
     parts.insert(parts.end(), bodies.begin(), bodies.end());
-    std::vector<Polygon> result;
+    std::vector<Polygon> wide;
+    const double notch = params.minimumHoleWidth_m / 2;
     for (const Polygon& whole : unite(parts))
-    {
-        const Polygon filled{whole.outer, {}};
-        for (const Polygon& outline : offsetEdges(
-                 filled, [&](const Segment& e) { return isNear(wallEdges, (e.a + e.b) / 2, kOnWall_m) ? -half : 0.0; }))
+        for (const Polygon& outline : offsetEdges({whole.outer, {}}, [&](const Segment& e)
+                                                  { return isNear(wallEdges, (e.a + e.b) / 2, kOnWall_m) ? -half : 0.0; }))
+            for (Polygon& p : offsetEdges(outline, [&](const Segment&) { return notch; }))
+                wide.push_back(std::move(p));
+    // Narrow notches are closed on the way there and back.
+    std::vector<Polygon> result;
+    for (const Polygon& p : unite(wide))
+        for (const Polygon& outline : offsetEdges({p.outer, {}}, [&](const Segment&) { return -notch; }))
             for (Polygon& straight : withoutSteps(outline, params.outlineStep_m))
                 result.push_back(std::move(straight));
-    }
     result = subtract(result, courtyards);
     std::erase_if(result, [&](const Polygon& p) { return area(p) < params.minimumArea_m2; });
     return result;
@@ -133,6 +148,9 @@ std::vector<Polygon> slabHoles(const RoomPlan& above, const RoomPlan& below, con
         missing[i] = domain[i] && !slab[i];
     const int narrow = grid.reach(params.minimumHoleWidth_m / 2);
     missing = dilated(eroded(missing, grid, narrow), grid, narrow);
+    missing = eroded(dilated(missing, grid, narrow), grid, narrow);  // what hangs in the opening is not slab
+    for (std::size_t i = 0; i < slab.size(); ++i)
+        missing[i] = missing[i] && domain[i];
     if (std::none_of(missing.begin(), missing.end(), [](std::uint8_t v) { return v != 0; }))
         return {};
 

@@ -44,7 +44,7 @@ struct SlabResult
 /// @param storeys  the storeys of the plans
 /// @param nextId   the next free ElementId value; advanced
 /// Cost: O(cells) and O(pixels) a storey.
-[[nodiscard]] SlabResult findSlabs(const SurfaceCells& cells, const std::vector<RoomPlan>& plans, const std::vector<ElementId>& storeys,
+[[nodiscard]] SlabResult findSlabs(const PlanCells& cells, const std::vector<RoomPlan>& plans, const std::vector<ElementId>& storeys,
                                    std::uint32_t& nextId, const SlabParams& params, const Context& context);
 
 }  // namespace s2b

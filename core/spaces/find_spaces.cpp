@@ -85,8 +85,8 @@ SpaceResult findSpaces(const RoomPlan& plan, ElementId storey, std::size_t store
         space.height = {room.ceiling_m - room.floor_m, room.ceilingSeen ? Provenance::Measured : Provenance::Assumed, room.ceilingRms_m};
         space.area_m2 = size;
         space.boundedBy = wallsAround(room, plan);
-        if (room.wallShare < 0.995)
-            say(Severity::Warning, "SpaceClosedByCeiling", std::format("No wall was found along {:.0f} % of this space's outline; the outline of its ceiling closes it.", 100 * (1 - room.wallShare)), space.id);
+        if (const double open = 1 - room.wallShare - room.roofShare; open > 0.005)
+            say(Severity::Warning, "SpaceClosedByCeiling", std::format("No wall was found along {:.0f} % of this space's outline; the outline of its ceiling closes it.", 100 * open), space.id);
         result.spaces.push_back(std::move(space));
     }
     return result;

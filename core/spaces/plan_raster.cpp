@@ -12,58 +12,75 @@ namespace
 
 constexpr double kPixel_m = 0.05;
 constexpr double kRim_m = 1.0;
-constexpr double kMostPixels = 4e6;  // a site of 100 m by 100 m in full resolution
+constexpr double kMostPixels = 2e6;  // a site of 70 m by 70 m in full resolution
+constexpr double kFloorBand_m = 0.07;  // thinner than a slab, so that its underside is not taken for it
 constexpr double kHead_m = 1.9;      // what is higher above the floor is overhead
 
-std::uint8_t layersOf(const SurfaceCells& cells, const SurfaceCell& c, const Level& level)
+/// Whether a cell says something of a room's floor or ceiling.
+bool isOfRoom(const PlanCells& cells, const PlanCell& c)
 {
-    const double nz = std::abs(static_cast<double>(c.normal.z()));
-    const double z = static_cast<double>(c.position.z());
-    if (nz < 0.4 || z < level.floor_m - 0.10)
+    return !cells.hasLabels || (c.label != Label::Wall && c.label != Label::Window && c.label != Label::Door &&
+                                c.label != Label::Furniture && c.label != Label::Column);
+}
+
+/// A pitched roof, down to where it meets the floor. Below the height of heads it has to be smooth: furniture slopes too.
+bool isSlope(const PlanCell& c, const Level& level)
+{
+    const double z = static_cast<double>(c.z), above = z - level.floor_m;
+    return !level.ceilingSeen && c.upward < 0.97f && above > 0.2 && z < level.ceiling_m + 0.4 && (above > 1.4 || c.isSmooth);
+}
+
+std::uint8_t layersOf(const PlanCells& cells, const PlanCell& c, const Level& level)
+{
+    const double z = static_cast<double>(c.z);
+    if (z < level.floor_m - kFloorBand_m || !isOfRoom(cells, c))
         return 0;
-    if (cells.hasLabels && (c.label == Label::Wall || c.label == Label::Window || c.label == Label::Door ||
-                            c.label == Label::Furniture || c.label == Label::Column))
-        return 0;
-    if (z < level.floor_m + 0.10)
-        return nz > 0.9 ? kFloorLayer : 0;
+    if (z < level.floor_m + kFloorBand_m)
+        return c.upward > 0.9f ? kFloorLayer : 0;
+    if (isSlope(c, level))
+        return kCeilingLayer | kCoverLayer;
     if (z < level.floor_m + kHead_m)
-    {
-        if (nz > 0.9)
-            return kBetweenLayer;
-        // The low end of a pitched roof is overhead as well.
-        return !level.ceilingSeen && z > level.floor_m + 1.4 ? kCeilingLayer | kCoverLayer : 0;
-    }
+        return c.upward > 0.9f ? kBetweenLayer : 0;
     // The next storey's floor is seen from above and says nothing of this one.
     return z < level.ceiling_m + (level.ceilingSeen ? 0.08 : 0.4) ? kCeilingLayer | kCoverLayer : kCoverLayer;
 }
 
-/// Sets a pixel when any within `reach` of it in its row (step 1) or column (step width) has the value `wanted`.
-void spread(const PlanBits& from, PlanBits& to, std::size_t lines, std::size_t lineStep, std::size_t length, std::size_t step,
-            int reach, bool wanted)
+/// Sets a pixel when any within `reach` of it in its row has the value `wanted`.
+void spreadAlongRows(const PlanBits& from, PlanBits& to, const PlanGrid& grid, int reach, bool wanted)
 {
-    const auto r = static_cast<std::ptrdiff_t>(reach);
-    for (std::size_t line = 0; line < lines; ++line)
+    for (int y = 0; y < grid.height; ++y)
     {
-        std::ptrdiff_t last = -r - 1;  // the last wanted pixel before i + r
-        const std::size_t begin = line * lineStep;
-        const auto n = static_cast<std::ptrdiff_t>(length);
-        for (std::ptrdiff_t ahead = 0; ahead < n + r; ++ahead)
+        int last = -reach - 1;  // the last wanted pixel up to x + reach
+        for (int ahead = 0; ahead < grid.width + reach; ++ahead)
         {
-            if (ahead < n && (from[begin + static_cast<std::size_t>(ahead) * step] != 0) == wanted)
+            if (ahead < grid.width && (from[grid.at(ahead, y)] != 0) == wanted)
                 last = ahead;
-            const std::ptrdiff_t i = ahead - r;
-            if (i >= 0)
-                to[begin + static_cast<std::size_t>(i) * step] = (last >= i - r) == wanted;
+            if (ahead >= reach)
+                to[grid.at(ahead - reach, y)] = (last >= ahead - 2 * reach) == wanted;
         }
     }
+}
+
+/// The same along columns; row by row, as they lie in memory.
+void spreadAlongColumns(const PlanBits& from, PlanBits& to, const PlanGrid& grid, int reach, bool wanted)
+{
+    std::vector<int> last(static_cast<std::size_t>(grid.width), -reach - 1);
+    for (int ahead = 0; ahead < grid.height + reach; ++ahead)
+        for (int x = 0; x < grid.width; ++x)
+        {
+            int& seen = last[static_cast<std::size_t>(x)];
+            if (ahead < grid.height && (from[grid.at(x, ahead)] != 0) == wanted)
+                seen = ahead;
+            if (ahead >= reach)
+                to[grid.at(x, ahead - reach)] = (seen >= ahead - 2 * reach) == wanted;
+        }
 }
 
 PlanBits spreadBothWays(const PlanBits& bits, const PlanGrid& grid, int reach, bool wanted)
 {
     PlanBits rows(bits.size()), all(bits.size());
-    const auto w = static_cast<std::size_t>(grid.width), h = static_cast<std::size_t>(grid.height);
-    spread(bits, rows, h, w, w, 1, reach, wanted);
-    spread(rows, all, w, 1, h, w, reach, wanted);
+    spreadAlongRows(bits, rows, grid, reach, wanted);
+    spreadAlongColumns(rows, all, grid, reach, wanted);
     return all;
 }
 
@@ -79,11 +96,13 @@ std::size_t PlanGrid::find(const Eigen::Vector2d& p) const
 
 int PlanGrid::reach(double metres) const { return std::max(1, static_cast<int>(std::lround(metres / pixel_m))); }
 
-PlanGrid planGridOf(const SurfaceCells& cells)
+PlanCells planCellsOf(const SurfaceCells& cells)
 {
-    PlanGrid grid;
+    PlanCells result;
+    result.size_m = cells.size_m;
+    result.hasLabels = cells.hasLabels;
     if (cells.cells.empty())
-        return grid;
+        return result;
     Eigen::Vector2f low = Eigen::Vector2f::Constant(std::numeric_limits<float>::infinity()), high = -low;
     for (const SurfaceCell& c : cells.cells)
     {
@@ -91,32 +110,49 @@ PlanGrid planGridOf(const SurfaceCells& cells)
         high = high.cwiseMax(c.position.head<2>());
     }
     const Eigen::Vector2d extent = (high - low).cast<double>() + Eigen::Vector2d::Constant(2 * kRim_m);
+    PlanGrid& grid = result.grid;
     grid.pixel_m = std::max({kPixel_m, 2 * cells.size_m, std::sqrt(extent.prod() / kMostPixels)});
     grid.low = low.cast<double>() - Eigen::Vector2d::Constant(kRim_m);
     const Eigen::Vector2i size = (extent / grid.pixel_m).array().ceil().cast<int>();
     grid.width = size.x();
     grid.height = size.y();
-    return grid;
+    const float smooth = static_cast<float>(0.35 * cells.size_m);
+    for (const SurfaceCell& c : cells.cells)
+        if (const float upward = std::abs(c.normal.z()); upward >= 0.4f)
+            if (const std::size_t i = grid.find(c.position.head<2>().cast<double>()); i < grid.size())
+                result.cells.push_back({static_cast<std::uint32_t>(i), c.position.z(), c.count, upward, c.label, c.flatness < smooth});
+    return result;
 }
 
-PlanBits rasterOf(const SurfaceCells& cells, const Level& level, const PlanGrid& grid)
+PlanBits rasterOf(const PlanCells& cells, const Level& level)
 {
-    PlanBits bits(grid.size(), 0);
-    for (const SurfaceCell& c : cells.cells)
-        if (const std::uint8_t layers = layersOf(cells, c, level))
-            if (const std::size_t i = grid.find(c.position.head<2>().cast<double>()); i < bits.size())
-                bits[i] |= layers;
+    PlanBits bits(cells.grid.size(), 0);
+    for (const PlanCell& c : cells.cells)
+        bits[c.pixel] |= layersOf(cells, c, level);
     return bits;
 }
 
-void forEachPixel(const Polygon& polygon, const PlanGrid& grid, const std::function<void(std::size_t)>& visit)
+std::vector<float> slopesOf(const PlanCells& cells, const Level& level)
 {
+    if (level.ceilingSeen)
+        return {};
+    std::vector<float> lowest(cells.grid.size(), std::numeric_limits<float>::quiet_NaN());
+    for (const PlanCell& c : cells.cells)
+        if (isOfRoom(cells, c) && isSlope(c, level))
+            lowest[c.pixel] = std::fmin(lowest[c.pixel], c.z);
+    return lowest;
+}
+
+std::vector<PixelSpan> pixelsOf(const Polygon& polygon, const PlanGrid& grid)
+{
+    std::vector<PixelSpan> spans;
     if (polygon.outer.empty())
-        return;
+        return spans;
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const Eigen::Vector2d& p : polygon.outer)
         low = std::min(low, p.y()), high = std::max(high, p.y());
     const auto row = [&](double y) { return static_cast<int>(std::floor((y - grid.low.y()) / grid.pixel_m)); };
+    const auto column = [&](double x) { return static_cast<int>(std::ceil((x - grid.low.x()) / grid.pixel_m - 0.5)); };
     std::vector<double> crossings;
     for (int y = std::max(0, row(low)); y <= std::min(grid.height - 1, row(high)); ++y)
     {
@@ -138,11 +174,12 @@ void forEachPixel(const Polygon& polygon, const PlanGrid& grid, const std::funct
         std::sort(crossings.begin(), crossings.end());
         for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
         {
-            const auto column = [&](double x) { return static_cast<int>(std::ceil((x - grid.low.x()) / grid.pixel_m - 0.5)); };
-            for (int x = std::max(0, column(crossings[k])); x < std::min(grid.width, column(crossings[k + 1])); ++x)
-                visit(grid.at(x, y));
+            const int begin = std::max(0, column(crossings[k])), end = std::min(grid.width, column(crossings[k + 1]));
+            if (begin < end)
+                spans.push_back({grid.at(begin, y), grid.at(begin, y) + static_cast<std::size_t>(end - begin)});
         }
     }
+    return spans;
 }
 
 PlanBits dilated(const PlanBits& bits, const PlanGrid& grid, int reach) { return spreadBothWays(bits, grid, reach, true); }

@@ -9,7 +9,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace s2b
@@ -32,8 +31,29 @@ struct PlanGrid
     [[nodiscard]] int reach(double metres) const;  ///< in pixels, at least 1
 };
 
-/// Covers all cells with a rim of 1 m. Pixels are 5 cm, larger for a sparse cloud or a large site.
-[[nodiscard]] PlanGrid planGridOf(const SurfaceCells& cells);
+/// A cell that does not stand upright, as far as floors and ceilings are concerned.
+struct PlanCell
+{
+    std::uint32_t pixel = 0;
+    float z = 0;
+    std::uint32_t count = 0;  ///< points
+    float upward = 0;         ///< |normal.z|
+    Label label = Label::Unassigned;
+    bool isSmooth = false;    ///< part of a plane, not of a heap
+};
+
+/// The cells of a building that do not stand upright, by pixel.
+struct PlanCells
+{
+    PlanGrid grid;
+    double size_m = 0.0;  ///< of a cell
+    bool hasLabels = false;
+    std::vector<PlanCell> cells;
+};
+
+/// The grid covers all cells with a rim of 1 m. Pixels are 5 cm, larger for a sparse cloud or a large site.
+/// @param cells  building frame
+[[nodiscard]] PlanCells planCellsOf(const SurfaceCells& cells);
 
 /// One byte a pixel of a PlanGrid; not 0: set.
 using PlanBits = std::vector<std::uint8_t>;
@@ -47,11 +67,28 @@ enum PlanLayer : std::uint8_t
     kBetweenLayer = 8   ///< something level between floor and head: steps, furniture
 };
 
-/// @param cells  building frame
-[[nodiscard]] PlanBits rasterOf(const SurfaceCells& cells, const Level& level, const PlanGrid& grid);
+[[nodiscard]] PlanBits rasterOf(const PlanCells& cells, const Level& level);
 
-/// Visits the pixels whose centres are inside, row by row: visit(index). Cost: O(rows * edges + pixels).
-void forEachPixel(const Polygon& polygon, const PlanGrid& grid, const std::function<void(std::size_t)>& visit);
+/// Lowest height of what slopes overhead in each pixel, NaN where there is nothing; empty when the storey's ceiling is level.
+[[nodiscard]] std::vector<float> slopesOf(const PlanCells& cells, const Level& level);
+
+/// Pixels side by side, from index begin up to end.
+struct PixelSpan
+{
+    std::size_t begin = 0, end = 0;
+};
+
+/// The pixels whose centres are inside, row by row. Cost: O(rows * edges).
+[[nodiscard]] std::vector<PixelSpan> pixelsOf(const Polygon& polygon, const PlanGrid& grid);
+
+/// Calls visit(index) for each of them.
+template <typename Visit>
+void forEachPixel(const Polygon& polygon, const PlanGrid& grid, Visit&& visit)
+{
+    for (const PixelSpan& span : pixelsOf(polygon, grid))
+        for (std::size_t i = span.begin; i < span.end; ++i)
+            visit(i);
+}
 
 /// Pixels within `reach` pixels (a square) of a set one; and those farther than that from every unset one.
 [[nodiscard]] PlanBits dilated(const PlanBits& bits, const PlanGrid& grid, int reach);

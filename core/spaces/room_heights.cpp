@@ -10,8 +10,9 @@ namespace s2b
 namespace
 {
 
-constexpr double kBin_m = 0.02;
-constexpr double kBand_m = 0.05;       // half of the height range that is one ceiling
+constexpr double kBin_m = 0.01;
+constexpr double kBand_m = 0.03;       // half of the height range that is one ceiling
+constexpr double kFloorBand_m = 0.06;
 constexpr double kHead_m = 1.9;
 constexpr double kCeilingShare = 1.0 / 3;  // of a room's plan, for its ceiling to be called seen
 
@@ -58,9 +59,9 @@ Peak peakOf(const std::vector<std::uint32_t>& bins, double low)
     return peak;
 }
 
-bool isSurfaceOfRoom(const SurfaceCells& cells, const SurfaceCell& c)
+bool isSurfaceOfRoom(const PlanCells& cells, const PlanCell& c)
 {
-    if (std::abs(c.normal.z()) < 0.9f)
+    if (c.upward < 0.9f)
         return false;
     return !cells.hasLabels || (c.label != Label::Wall && c.label != Label::Window && c.label != Label::Door &&
                                 c.label != Label::Furniture && c.label != Label::Column && c.label != Label::Stair);
@@ -68,12 +69,12 @@ bool isSurfaceOfRoom(const SurfaceCells& cells, const SurfaceCell& c)
 
 }  // namespace
 
-void measureHeights(const SurfaceCells& cells, RoomPlan& plan)
+void measureHeights(const PlanCells& cells, RoomPlan& plan)
 {
     const Level& level = plan.level;
     std::vector<std::uint32_t> roomOf(plan.grid.size(), 0);  // 1 + index
     std::vector<Heights> heights(plan.rooms.size());
-    const double floorLow = level.floor_m - 0.10, overheadLow = level.floor_m + kHead_m, overheadHigh = level.ceiling_m + 0.08;
+    const double floorLow = level.floor_m - kFloorBand_m, overheadLow = level.floor_m + kHead_m, overheadHigh = level.ceiling_m + 0.08;
     const auto bins = [](double length) { return static_cast<std::size_t>(std::max(1.0, std::ceil(length / kBin_m))); };
     for (std::size_t r = 0; r < plan.rooms.size(); ++r)
     {
@@ -83,18 +84,17 @@ void measureHeights(const SurfaceCells& cells, RoomPlan& plan)
                          roomOf[i] = static_cast<std::uint32_t>(r + 1);
                          ++heights[r].pixels;
                      });
-        heights[r].floor.assign(bins(0.20), 0);
+        heights[r].floor.assign(bins(2 * kFloorBand_m), 0);
         heights[r].overhead.assign(bins(overheadHigh - overheadLow), 0);
     }
-    for (const SurfaceCell& c : cells.cells)
+    for (const PlanCell& c : cells.cells)
     {
-        const double z = static_cast<double>(c.position.z());
+        const double z = static_cast<double>(c.z);
         if (z < floorLow || z > overheadHigh || !isSurfaceOfRoom(cells, c))
             continue;
-        const std::size_t i = plan.grid.find(c.position.head<2>().cast<double>());
-        if (i >= roomOf.size() || roomOf[i] == 0)
+        if (roomOf[c.pixel] == 0)
             continue;
-        Heights& h = heights[roomOf[i] - 1];
+        Heights& h = heights[roomOf[c.pixel] - 1];
         const auto add = [&](std::vector<std::uint32_t>& histogram, double low)
         {
             const double bin = (z - low) / kBin_m;

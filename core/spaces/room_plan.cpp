@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace s2b
@@ -15,13 +16,45 @@ namespace
 constexpr double kOnWall_m = 1e-6;       // an edge this near to the walls' outline came from it
 constexpr double kOpenWidth_m = 0.6;     // narrower open areas are soffits and door recesses
 constexpr double kOpenArea_m2 = 2.0;
+constexpr double kFewWalls = 0.1;        // share of an outline
+constexpr double kEaves_m = 1.5;         // a roof that is lower ends the room
 constexpr double kFaint_m2 = 0.02;       // faces below it are slits between walls
 
-bool dividesRooms(const Wall& wall, const Level& level, const SpaceParams& params)
+/// Lowest slope overhead near a place; infinite without any.
+double slopeNear(const RoomPlan& plan, const Eigen::Vector2d& p)
 {
-    const double top = wall.base_m + wall.height.value_m;
-    const double reach = std::min(params.minimumWallHeight_m, 0.8 * (level.ceiling_m - level.floor_m));
-    return top - level.floor_m >= reach && wall.base_m - level.floor_m < 0.5;
+    double lowest = std::numeric_limits<double>::infinity();
+    if (plan.slopes.empty())
+        return lowest;
+    for (const double dx : {-1.0, 0.0, 1.0})
+        for (const double dy : {-1.0, 0.0, 1.0})
+            if (const std::size_t i = plan.grid.find(p + plan.grid.pixel_m * Eigen::Vector2d(dx, dy)); i < plan.slopes.size())
+                lowest = std::fmin(lowest, static_cast<double>(plan.slopes[i]));
+    return lowest;
+}
+
+/// Share of places along a segment that a test holds for.
+template <typename Test>
+double shareAlong(const Eigen::Vector2d& a, const Eigen::Vector2d& b, Test&& test)
+{
+    const int n = std::max(1, static_cast<int>(std::lround((b - a).norm() / 0.2)));
+    int hits = 0;
+    for (int i = 0; i < n; ++i)
+        hits += test(Eigen::Vector2d(a + (b - a) * ((i + 0.5) / n)));
+    return static_cast<double>(hits) / n;
+}
+
+bool dividesRooms(const Wall& wall, const RoomPlan& plan, const SpaceParams& params)
+{
+    const double top = wall.base_m + wall.height.value_m, floor = plan.level.floor_m;
+    if (wall.base_m - floor >= 0.5)
+        return false;
+    if (top - floor >= std::min(params.minimumWallHeight_m, 0.8 * (plan.level.ceiling_m - floor)))
+        return true;
+    // A low wall under the eaves.
+    const Eigen::Vector2d beside = wall.normal() * (wall.thickness.value_m / 2 + 0.15);
+    return shareAlong(wall.start, wall.end, [&](const Eigen::Vector2d& p)
+                      { return std::min(slopeNear(plan, p + beside), slopeNear(plan, p - beside)) < top + 0.5; }) > 0.5;
 }
 
 double distanceTo(const Segment& s, const Eigen::Vector2d& p)
@@ -33,19 +66,27 @@ double distanceTo(const Segment& s, const Eigen::Vector2d& p)
 }
 
 /// The free face with its walls given back their true thickness.
-void addFace(const Polygon& face, const std::vector<Segment>& wallEdges, double half, RoomKind kind, std::vector<Room>& rooms)
+void addFace(const Polygon& face, const std::vector<Segment>& wallEdges, RoomKind kind, RoomPlan& plan)
 {
+    const double half = plan.wideningHalf_m;
     const auto isOnWall = [&](const Segment& e)
     {
         const Eigen::Vector2d middle = (e.a + e.b) / 2;
         return std::any_of(wallEdges.begin(), wallEdges.end(), [&](const Segment& w) { return distanceTo(w, middle) < kOnWall_m; });
     };
-    double all = 0, onWall = 0;
+    double all = 0, onWall = 0, underRoof = 0;
     for (const Segment& e : edgesOf(std::span(&face, 1)))
     {
         const double length = (e.b - e.a).norm();
         all += length;
-        onWall += isOnWall(e) ? length : 0;
+        if (isOnWall(e))
+        {
+            onWall += length;
+            continue;
+        }
+        const Eigen::Vector2d inward = Eigen::Vector2d(e.a.y() - e.b.y(), e.b.x() - e.a.x()) / length * 0.2;
+        underRoof += length * shareAlong(e.a + inward, e.b + inward, [&](const Eigen::Vector2d& p)
+                                         { return slopeNear(plan, p) < plan.level.floor_m + kEaves_m; });
     }
     for (Polygon& outline : offsetEdges(face, [&](const Segment& e) { return isOnWall(e) ? half : 0.0; }))
     {
@@ -54,7 +95,8 @@ void addFace(const Polygon& face, const std::vector<Segment>& wallEdges, double 
         room.core = face;
         room.kind = kind;
         room.wallShare = all > 0 ? onWall / all : 0;
-        rooms.push_back(std::move(room));
+        room.roofShare = all > 0 ? underRoof / all : 0;
+        plan.rooms.push_back(std::move(room));
     }
 }
 
@@ -155,14 +197,15 @@ std::vector<double> directionsOf(const std::vector<Wall>& walls)
     return directions;
 }
 
-RoomPlan planRooms(const SurfaceCells& cells, const Level& level, const PlanGrid& grid, std::vector<Wall> walls,
+RoomPlan planRooms(const PlanCells& cells, const Level& level, std::vector<Wall> walls,
                    const SpaceParams& params, const Context& context)
 {
     RoomPlan plan;
     plan.level = level;
     plan.walls = std::move(walls);
-    plan.grid = grid;
-    plan.seen = rasterOf(cells, level, grid);
+    plan.grid = cells.grid;
+    plan.seen = rasterOf(cells, level);
+    plan.slopes = slopesOf(cells, level);
     context.checkCancelled();
     const auto count = [&](std::uint8_t layer)
     { return std::count_if(plan.seen.begin(), plan.seen.end(), [&](std::uint8_t v) { return v & layer; }); };
@@ -172,7 +215,7 @@ RoomPlan planRooms(const SurfaceCells& cells, const Level& level, const PlanGrid
     std::vector<Polygon> bodies;
     for (const Wall& w : plan.walls)
     {
-        plan.isDividing.push_back(dividesRooms(w, level, params));
+        plan.isDividing.push_back(dividesRooms(w, plan, params));
         if (plan.isDividing.back())
             bodies.push_back(widened(w, half));
     }
@@ -180,7 +223,7 @@ RoomPlan planRooms(const SurfaceCells& cells, const Level& level, const PlanGrid
     const std::vector<Segment> edges = edgesOf(solid);
     const std::vector<Polygon> holes = holesOf(solid);
     for (const Polygon& face : subtract(holes, solid))
-        addFace(face, edges, half, RoomKind::Room, plan.rooms);
+        addFace(face, edges, RoomKind::Room, plan);
     std::erase_if(plan.rooms, [](const Room& r) { return area(r.outline) < kFaint_m2; });
     for (Room& room : plan.rooms)
     {
@@ -194,10 +237,13 @@ RoomPlan planRooms(const SurfaceCells& cells, const Level& level, const PlanGrid
     // Without ceilings, ground outside looks like a floor inside: only walls can tell them apart.
     if (plan.hasCeiling || plan.rooms.empty())
         for (const Polygon& face : openAreas(plan, solid, holes))
-            addFace(face, edges, half, RoomKind::Open, plan.rooms);
+            addFace(face, edges, RoomKind::Open, plan);
     for (Room& room : plan.rooms)
-        if (room.kind == RoomKind::Open && room.wallShare >= params.minimumWallShare)
+        if (room.kind == RoomKind::Open && room.wallShare + room.roofShare >= params.minimumWallShare)
             room.kind = RoomKind::Room;
+    // Beside better ones, what no wall bounds is a soffit, a tree, a car's roof.
+    const bool hasBounded = std::any_of(plan.rooms.begin(), plan.rooms.end(), [](const Room& r) { return r.wallShare >= kFewWalls; });
+    std::erase_if(plan.rooms, [&](const Room& r) { return hasBounded && r.wallShare < kFewWalls; });
     std::stable_sort(plan.rooms.begin(), plan.rooms.end(),
                      [](const Room& a, const Room& b)
                      {

@@ -17,7 +17,7 @@ struct SpaceParams
     double minimumWallHeight_m = 1.8;   ///< lower walls do not divide rooms
     double minimumArea_m2 = 0.5;
     double minimumSeen = 0.3;           ///< share of a room whose floor or ceiling was seen
-    double minimumWallShare = 0.5;      ///< of a room's outline, where walls leave it open
+    double minimumWallShare = 0.5;      ///< of a room's outline, or roof that comes down, where walls leave it open
     bool operator==(const SpaceParams&) const = default;
 };
 
@@ -36,6 +36,7 @@ struct Room
     Polygon core;            ///< the outline, wideningHalf_m narrower where walls bound it
     RoomKind kind = RoomKind::Room;
     double wallShare = 1.0;  ///< of the outline
+    double roofShare = 0.0;  ///< of the outline, where a roof comes down instead of a wall
     double floor_m = 0.0;
     double ceiling_m = 0.0;
     bool ceilingSeen = false;  ///< level, over a third of the room at least
@@ -50,6 +51,7 @@ struct RoomPlan
     std::vector<bool> isDividing;  ///< of these, those that divide rooms
     PlanGrid grid;
     PlanBits seen;                 ///< rasterOf()
+    std::vector<float> slopes;     ///< slopesOf()
     std::vector<Room> rooms;       ///< sorted by outline
     bool hasCeiling = false;       ///< ceilings were scanned at all
     double wideningHalf_m = 0.0;   ///< by which Room::core is narrower than the outline, on the side of walls
@@ -67,11 +69,11 @@ struct RoomPlan
 /// its bounded faces are the rooms. Gaps between walls up to `closeGap_m` are closed: the walls are widened by half of
 /// it, and the faces widened back, so that the outlines lie exactly on the walls' faces. Where walls leave a room
 /// open (a curtain wall, a wall that was not found), the outline of the ceiling that was seen closes it, with straight
-/// sides along the walls' directions.
+/// sides along the walls' directions. Walls lower than `minimumWallHeight_m` divide rooms where a pitched roof meets them.
 ///
 /// @param walls  of this storey, with their ids
-/// Cost: O(cells) and about 20 us a wall.
-[[nodiscard]] RoomPlan planRooms(const SurfaceCells& cells, const Level& level, const PlanGrid& grid, std::vector<Wall> walls,
+/// Cost: O(cells + pixels), and exact arithmetic for the walls' edges and their crossings.
+[[nodiscard]] RoomPlan planRooms(const PlanCells& cells, const Level& level, std::vector<Wall> walls,
                                  const SpaceParams& params, const Context& context);
 
 }  // namespace s2b
