@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/stages.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace s2b
+{
+namespace
+{
+
+using test::HandMadeCloud;
+using test::storeyOf;
+
+// Faces are means of thousands of points; a cell's mean lies on the face to a fraction of a millimetre, corner cells
+// pull it in by less than one.
+constexpr double kSize_m = 0.004, kPlace_m = 0.002;
+
+HandMadeCloud hall()
+{
+    HandMadeCloud cloud;
+    cloud.room({1, 0.5}, {5, 4});
+    return cloud;
+}
+
+/// The four faces of a box, in plan turned by yaw about its centre.
+void addBox(HandMadeCloud& cloud, const Eigen::Vector2d& center, double width, double depth, double yaw = 0.0,
+            double bottom = 0.0, double top = 2.6, int faces = 4)
+{
+    const Eigen::Rotation2Dd turn(yaw);
+    const std::array<Eigen::Vector2d, 4> corners{
+        center + turn * Eigen::Vector2d(-width / 2, -depth / 2), center + turn * Eigen::Vector2d(width / 2, -depth / 2),
+        center + turn * Eigen::Vector2d(width / 2, depth / 2), center + turn * Eigen::Vector2d(-width / 2, depth / 2)};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(faces); ++i)
+        cloud.wallFace(corners[i], corners[(i + 1) % 4], bottom, top, Label::Column);
+}
+
+Column only(const HandMadeCloud& cloud)
+{
+    const ColumnResult columns = storeyOf(cloud).columns;
+    EXPECT_EQ(columns.columns.size(), 1u);
+    return columns.columns.empty() ? Column{} : columns.columns[0];
+}
+
+void expectRectangle(const Column& c, const Eigen::Vector2d& center, double width, double depth, double yaw = 0.0)
+{
+    ASSERT_TRUE(std::holds_alternative<RectangleSection>(c.section));
+    const auto& section = std::get<RectangleSection>(c.section);
+    EXPECT_LT((c.center - center).norm(), kPlace_m) << c.center.transpose();
+    // The same rectangle has two names a quarter turn apart.
+    const double turn = std::remainder(c.yaw_rad - yaw, std::numbers::pi);
+    const bool isSwapped = std::abs(turn) > std::numbers::pi / 4;
+    EXPECT_NEAR(isSwapped ? section.depth_m : section.width_m, width, kSize_m);
+    EXPECT_NEAR(isSwapped ? section.width_m : section.depth_m, depth, kSize_m);
+    EXPECT_NEAR(std::remainder(c.yaw_rad - yaw, std::numbers::pi / 2), 0.0, 0.02);
+}
+
+TEST(Columns, FindASquareOne)
+{
+    HandMadeCloud cloud = hall();
+    addBox(cloud, {3, 2}, 0.4, 0.4);
+    const Column c = only(cloud);
+    expectRectangle(c, {3, 2}, 0.4, 0.4);
+    EXPECT_EQ(c.base_m, 0.0);
+    EXPECT_NEAR(c.height.value_m, 2.6, 1e-9);
+    EXPECT_EQ(c.storey.value, 1u);
+    EXPECT_NE(c.id.value, 0u);
+}
+
+TEST(Columns, FindARectangularOne)
+{
+    HandMadeCloud cloud = hall();
+    addBox(cloud, {3, 2}, 0.3, 0.7);
+    expectRectangle(only(cloud), {3, 2}, 0.3, 0.7);
+}
+
+TEST(Columns, FindOneThatStandsAtAnAngle)
+{
+    HandMadeCloud cloud = hall();
+    addBox(cloud, {3, 2}, 0.3, 0.6, 0.5);
+    expectRectangle(only(cloud), {3, 2}, 0.3, 0.6, 0.5);
+}
+
+TEST(Columns, FindARoundOne)
+{
+    for (const double radius : {0.08, 0.2, 0.45})
+    {
+        HandMadeCloud cloud = hall();
+        cloud.mantle({3, 2}, radius, 0, 2.6, Label::Column);
+        const Column c = only(cloud);
+        ASSERT_TRUE(std::holds_alternative<CircleSection>(c.section)) << radius;
+        EXPECT_NEAR(std::get<CircleSection>(c.section).radius_m, radius, kSize_m);
+        EXPECT_LT((c.center - Eigen::Vector2d(3, 2)).norm(), kPlace_m);
+    }
+}
+
+TEST(Columns, FindARoundOneSeenFromOneSide)
+{
+    HandMadeCloud cloud = hall();
+    cloud.mantle({3, 2}, 0.25, 0, 2.6, Label::Column, 0.3, 0.3 + 0.85 * std::numbers::pi);
+    const Column c = only(cloud);
+    ASSERT_TRUE(std::holds_alternative<CircleSection>(c.section));
+    // What one station sees, 153 degrees: its sagitta is 0.19 m, so cells a millimetre off move radius and centre by
+    // two.
+    EXPECT_NEAR(std::get<CircleSection>(c.section).radius_m, 0.25, 0.006);
+    EXPECT_LT((c.center - Eigen::Vector2d(3, 2)).norm(), 0.006);
+}
+
+TEST(Columns, FindARoundOneInNoise)
+{
+    HandMadeCloud cloud(0.02, 0.003);
+    cloud.room({1, 0.5}, {5, 4});
+    cloud.mantle({3, 2}, 0.2, 0, 2.6, Label::Column);
+    const Column c = only(cloud);
+    ASSERT_TRUE(std::holds_alternative<CircleSection>(c.section));
+    EXPECT_NEAR(std::get<CircleSection>(c.section).radius_m, 0.2, kSize_m);
+}
+
+TEST(Columns, BoxASteelHSection)
+{
+    // HE 300: flanges of 0.3 m along y at x = +-0.15, a web between their middles.
+    HandMadeCloud cloud = hall();
+    const double f = 0.019, w = 0.011;
+    for (const double side : {-1.0, 1.0})
+    {
+        const double outer = 3 + side * 0.15, inner = 3 + side * (0.15 - f);
+        cloud.wallFace({outer, 1.85}, {outer, 2.15}, 0, 2.6, Label::Column);
+        cloud.wallFace({inner, 1.85}, {inner, 2 - w / 2}, 0, 2.6, Label::Column);
+        cloud.wallFace({inner, 2 + w / 2}, {inner, 2.15}, 0, 2.6, Label::Column);
+        cloud.wallFace({outer, 1.85}, {inner, 1.85}, 0, 2.6, Label::Column);
+        cloud.wallFace({outer, 2.15}, {inner, 2.15}, 0, 2.6, Label::Column);
+        cloud.wallFace({2.85 + f, 2 + side * w / 2}, {3.15 - f, 2 + side * w / 2}, 0, 2.6, Label::Column);
+    }
+    const Column c = only(cloud);
+    ASSERT_TRUE(std::holds_alternative<RectangleSection>(c.section));
+    // Both faces of a flange of 19 mm fall into the same cells: its position is their mean, up to half of it further
+    // in.
+    EXPECT_NEAR(std::get<RectangleSection>(c.section).width_m, 0.3, 0.02);
+    EXPECT_NEAR(std::get<RectangleSection>(c.section).depth_m, 0.3, 0.02);
+    EXPECT_LT((c.center - Eigen::Vector2d(3, 2)).norm(), 0.01);
+}
+
+TEST(Columns, TellDozensApart)
+{
+    HandMadeCloud cloud;
+    cloud.room({0, 0}, {13, 9});
+    for (int i = 0; i < 6; ++i)
+        for (int j = 0; j < 4; ++j)
+            addBox(cloud, {1.5 + 2 * i, 1.5 + 2 * j}, 0.3, 0.3);
+    EXPECT_EQ(storeyOf(cloud).columns.columns.size(), 24u);
+}
+
+TEST(Columns, CutOffWhatIsLabelledColumnAtFloorAndCeiling)
+{
+    // A capital and a foot of 0.8 m (D3.6, figure 12: over-segmentation).
+    HandMadeCloud cloud = hall();
+    addBox(cloud, {3, 2}, 0.4, 0.4);
+    addBox(cloud, {3, 2}, 0.8, 0.8, 0.0, 0.0, 0.15);
+    addBox(cloud, {3, 2}, 0.8, 0.8, 0.0, 2.45, 2.6);
+    cloud.horizontal({2.5, 1.5}, {3.5, 2.5}, 2.6, Label::Column);
+    expectRectangle(only(cloud), {3, 2}, 0.4, 0.4);
+}
+
+TEST(Columns, DropStrayLabels)
+{
+    // 5 % of the points have a wrong label, a tenth of these the column's.
+    HandMadeCloud cloud = hall();
+    addBox(cloud, {3, 2}, 0.4, 0.4);
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+        if (cloud.cloud().labels[i] == Label::Wall && randomBits(1, 2, i) % 200 == 0)
+            cloud.cloud().labels[i] = Label::Column;
+    expectRectangle(only(cloud), {3, 2}, 0.4, 0.4);
+}
+
+TEST(Columns, ReportASizeOutOfRange)
+{
+    HandMadeCloud cloud = hall();
+    addBox(cloud, {3, 2}, 2.5, 0.4);
+    const ColumnResult r = storeyOf(cloud).columns;
+    EXPECT_TRUE(r.columns.empty());
+    EXPECT_EQ(test::countCode(r.diagnostics, "SizeOutOfRange"), 1u);
+}
+
+TEST(Columns, AreNoneInAnEmptyHall)
+{
+    EXPECT_TRUE(storeyOf(hall()).columns.columns.empty());
+}
+
+}  // namespace
+}  // namespace s2b
