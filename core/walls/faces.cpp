@@ -295,11 +295,14 @@ std::vector<Face> gather(const std::vector<Line>& lines, const SurfaceCells& cel
 /// Walls reach the ceiling above them, at least where no opening interrupts them; leaves, cupboards and sills don't.
 bool reachesCeiling(const Face& face, const PlanMask& mask)
 {
-    std::size_t seen = 0, reaching = 0;
+    // No furniture is as long and as high as this, whatever roof is above it.
+    constexpr double tall_m = 2.3, long_m = 2.5;
+    std::size_t seen = 0, reaching = 0, tall = 0;
     for (std::size_t b = 0; b < face.rows.size(); ++b)
     {
         if (!face.rows[b])
             continue;
+        tall += Face::kRow_m * (64 - std::countl_zero(face.rows[b])) >= tall_m;
         const double s = face.begin + (static_cast<double>(b) + 0.5) * Face::kBin_m;
         double overhead = -1;
         for (const double d : {-0.45, -0.2, 0.2, 0.45})
@@ -309,7 +312,7 @@ bool reachesCeiling(const Face& face, const PlanMask& mask)
         ++seen;
         reaching += Face::kRow_m * (64 - std::countl_zero(face.rows[b])) >= overhead - 0.3;
     }
-    return 2 * reaching > seen;
+    return 2 * reaching > seen || static_cast<double>(tall) * Face::kBin_m > long_m;
 }
 
 /// Is it a face of a wall, or of something that stands in the room or hangs on a wall? Labels and shape weigh each other:
