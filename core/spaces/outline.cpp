@@ -179,6 +179,8 @@ std::vector<Polygon> straightOutlines(const PlanBits& bits, const PlanGrid& grid
     std::vector<Polygon> result;
     for (const Polygon& outline : traceMask(bits, grid.width, grid.height, grid.low, grid.pixel_m))
     {
+        if (area(outline) < options.detail_m * options.detail_m)
+            continue;
         const Polygon simple = simplify(outline, std::max(options.detail_m / 2, 1.5 * grid.pixel_m));
         Polygon straight;
         // Rings are matched by their first points: simplification may move the order of small holes.

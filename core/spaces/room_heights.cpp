@@ -16,9 +16,28 @@ constexpr double kFloorBand_m = 0.06;
 constexpr double kHead_m = 1.9;
 constexpr double kCeilingShare = 1.0 / 3;  // of a room's plan, for its ceiling to be called seen
 
+/// The cells of a height range of kBin_m.
+struct Bin
+{
+    double cells = 0, sum = 0, square = 0;  ///< number, and moments of their heights above the histogram's foot
+
+    void add(double z)
+    {
+        cells += 1;
+        sum += z;
+        square += z * z;
+    }
+    void add(const Bin& other)
+    {
+        cells += other.cells;
+        sum += other.sum;
+        square += other.square;
+    }
+};
+
 struct Heights
 {
-    std::vector<std::uint32_t> floor, overhead;  ///< cells a bin
+    std::vector<Bin> floor, overhead;
     std::size_t pixels = 0;
 };
 
@@ -29,33 +48,26 @@ struct Peak
     double cells = 0;
 };
 
-Peak peakOf(const std::vector<std::uint32_t>& bins, double low)
+Peak peakOf(const std::vector<Bin>& bins, double low)
 {
     const int reach = static_cast<int>(std::lround(kBand_m / kBin_m));
     const int n = static_cast<int>(bins.size());
-    double most = 0;
-    int centre = -1;
+    Bin fullest;
     for (int i = 0; i < n; ++i)
     {
-        double sum = 0;
+        Bin band;
         for (int k = std::max(0, i - reach); k <= std::min(n - 1, i + reach); ++k)
-            sum += bins[static_cast<std::size_t>(k)];
-        if (sum > most)
-            most = sum, centre = i;
+            band.add(bins[static_cast<std::size_t>(k)]);
+        if (band.cells > fullest.cells)
+            fullest = band;
     }
     Peak peak;
-    if (centre < 0)
+    if (fullest.cells == 0)
         return peak;
-    double first = 0, second = 0;
-    for (int k = std::max(0, centre - reach); k <= std::min(n - 1, centre + reach); ++k)
-    {
-        const double w = bins[static_cast<std::size_t>(k)], z = low + (k + 0.5) * kBin_m;
-        first += w * z;
-        second += w * z * z;
-    }
-    peak.z = first / most;
-    peak.rms = std::sqrt(std::max(0.0, second / most - peak.z * peak.z));
-    peak.cells = most;
+    const double mean = fullest.sum / fullest.cells;
+    peak.z = low + mean;
+    peak.rms = std::sqrt(std::max(0.0, fullest.square / fullest.cells - mean * mean));
+    peak.cells = fullest.cells;
     return peak;
 }
 
@@ -84,8 +96,8 @@ void measureHeights(const PlanCells& cells, RoomPlan& plan)
                          roomOf[i] = static_cast<std::uint32_t>(r + 1);
                          ++heights[r].pixels;
                      });
-        heights[r].floor.assign(bins(2 * kFloorBand_m), 0);
-        heights[r].overhead.assign(bins(overheadHigh - overheadLow), 0);
+        heights[r].floor.resize(bins(2 * kFloorBand_m));
+        heights[r].overhead.resize(bins(overheadHigh - overheadLow));
     }
     for (const PlanCell& c : cells.cells)
     {
@@ -95,11 +107,11 @@ void measureHeights(const PlanCells& cells, RoomPlan& plan)
         if (roomOf[c.pixel] == 0)
             continue;
         Heights& h = heights[roomOf[c.pixel] - 1];
-        const auto add = [&](std::vector<std::uint32_t>& histogram, double low)
+        const auto add = [&](std::vector<Bin>& histogram, double low)
         {
             const double bin = (z - low) / kBin_m;
             if (bin >= 0 && bin < static_cast<double>(histogram.size()))
-                ++histogram[static_cast<std::size_t>(bin)];
+                histogram[static_cast<std::size_t>(bin)].add(z - low);
         };
         add(h.floor, floorLow);
         add(h.overhead, overheadLow);

@@ -74,7 +74,18 @@ bool SideRing::close()
                 least = along, worst = i;
         if (worst == n)
             return true;
-        drop(worst);
+        // Its neighbours meet now. Two that run against each other have passed each other: the longer one stays.
+        const std::size_t before = (worst + n - 1) % n, after = (worst + 1) % n;
+        const Side& a = m_sides[before];
+        const Side& b = m_sides[after];
+        if (isParallel(a, b) && a.t.dot(b.t) < 0)
+        {
+            const std::size_t shorter = a.length() < b.length() ? before : after;
+            drop(std::max(worst, shorter));
+            drop(std::min(worst, shorter));
+        }
+        else
+            drop(worst);
     }
     return false;
 }
