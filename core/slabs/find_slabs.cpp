@@ -12,11 +12,11 @@ namespace s2b
 namespace
 {
 
-constexpr double kNear_m = 0.06;            // cells this near to a surface's height are on it
-constexpr double kUndersideShare = 0.1;     // of a slab, for a ceiling below to say its thickness
-constexpr double kRoofCeilingShare = 0.3;   // of a roof, whose underside was seen
-constexpr double kAboveShare = 0.3;         // of a roof, where something of the next storey was seen
-constexpr double kRoofWidth_m = 1.0;        // narrower remains between two storeys' outlines are their walls'
+constexpr double kNear_m = 0.06;           // cells this near to a surface's height are on it
+constexpr double kUndersideShare = 0.1;    // of a slab, for a ceiling below to say its thickness
+constexpr double kRoofCeilingShare = 0.3;  // of a roof, whose underside was seen
+constexpr double kAboveShare = 0.3;        // of a roof, where something of the next storey was seen
+constexpr double kRoofWidth_m = 1.0;       // narrower remains between two storeys' outlines are their walls'
 
 /// What was seen of a horizontal surface.
 struct Surface
@@ -25,7 +25,7 @@ struct Surface
     {
         std::uint32_t pixel = 0;
         std::uint32_t points = 0;
-        float off_m = 0;       ///< height above the surface
+        float off_m = 0;  ///< height above the surface
         bool isLabelled = false;
     };
     std::vector<Hit> hits;  ///< a cell each
@@ -54,13 +54,16 @@ Surface surfaceOf(const PlanCells& cells, const std::vector<float>& height, bool
 /// Heights of the rooms' floors or ceilings by pixel, the storey's elsewhere.
 std::vector<float> heightsOf(const RoomPlan& plan, bool isFloor)
 {
-    std::vector<float> heights(plan.grid.size(), static_cast<float>(isFloor ? plan.level.floor_m : plan.level.ceiling_m));
+    std::vector<float> heights(plan.grid.size(),
+                               static_cast<float>(isFloor ? plan.level.floor_m : plan.level.ceiling_m));
     for (const Room& room : plan.rooms)
-        forEachPixel(room.outline, plan.grid, [&](std::size_t i) { heights[i] = static_cast<float>(isFloor ? room.floor_m : room.ceiling_m); });
+        forEachPixel(room.outline, plan.grid,
+                     [&](std::size_t i) { heights[i] = static_cast<float>(isFloor ? room.floor_m : room.ceiling_m); });
     return heights;
 }
 
-void addEvidence(Evidence& evidence, const Polygon& outline, const PlanGrid& grid, const Surface* top, const Surface* underside)
+void addEvidence(Evidence& evidence, const Polygon& outline, const PlanGrid& grid, const Surface* top,
+                 const Surface* underside)
 {
     PlanBits inside(grid.size(), 0);
     std::size_t all = 0;
@@ -153,8 +156,11 @@ public:
             outlines = subtract(outlines, slabHoles(plan, m_plans[i - 1], underside->bits, m_params));
         }
         if (outlines.empty())
-            m_result.diagnostics.push_back({Severity::Warning, "slabs", "NoFloorSlab",
-                                            "No room of this storey was found, so that it has no slab.", {},
+            m_result.diagnostics.push_back({Severity::Warning,
+                                            "slabs",
+                                            "NoFloorSlab",
+                                            "No room of this storey was found, so that it has no slab.",
+                                            {},
                                             Eigen::Vector3d(0, 0, plan.level.floor_m)});
         for (Polygon& outline : outlines)
         {
@@ -165,7 +171,8 @@ public:
             if (i > 0)
                 measureThickness(slab, m_plans[i - 1]);
             if (slab.thickness.provenance == Provenance::Assumed)
-                sayAssumed(slab, i > 0 ? "The underside of this slab was not seen" : "Nothing was seen below this slab");
+                sayAssumed(slab,
+                           i > 0 ? "The underside of this slab was not seen" : "Nothing was seen below this slab");
         }
     }
 
@@ -176,8 +183,12 @@ public:
         const bool isTop = i + 1 == m_plans.size();
         if (!isTop)
             open = subtract(open, m_outlines[i + 1]);
-        std::erase_if(open, [&](const Polygon& p)
-                      { return area(p) < m_params.minimumArea_m2 || 2 * area(p) < kRoofWidth_m * perimeter(p) || (!isTop && isUnder(p, m_plans[i + 1])); });
+        std::erase_if(open,
+                      [&](const Polygon& p)
+                      {
+                          return area(p) < m_params.minimumArea_m2 || 2 * area(p) < kRoofWidth_m * perimeter(p) ||
+                                 (!isTop && isUnder(p, m_plans[i + 1]));
+                      });
         if (open.empty())
             return;
         const Surface underside = surfaceOf(m_cells, heightsOf(plan, false), false);
@@ -188,9 +199,13 @@ public:
             if (!plan.level.ceilingSeen || evidence.faceCoverage[1] < kRoofCeilingShare)
             {
                 if (isTop)
-                    m_result.diagnostics.push_back({Severity::Info, "slabs", "RoofNotLevel",
-                                                    "No level ceiling was seen under the roof here, so that it has no slab.", {},
-                                                    at(outline, plan.level.ceiling_m)});
+                    m_result.diagnostics.push_back(
+                        {Severity::Info,
+                         "slabs",
+                         "RoofNotLevel",
+                         "No level ceiling was seen under the roof here, so that it has no slab.",
+                         {},
+                         at(outline, plan.level.ceiling_m)});
                 continue;
             }
             Slab& slab = add(i, SlabKind::Roof, std::move(outline), plan.level.ceiling_m + m_params.defaultThickness_m);
@@ -224,16 +239,19 @@ private:
         if (thickness >= m_params.minimumThickness_m && thickness <= m_params.maximumThickness_m)
             slab.thickness = {thickness, Provenance::Measured, slab.evidence.rms_m};
         else
-            m_result.diagnostics.push_back({Severity::Info, "slabs", "UndersideImplausible",
-                                            std::format("The ceiling below lies {:.2f} m under this floor: it is not this slab's underside.", thickness),
-                                            slab.id, at(slab.outline, slab.top_m)});
+            m_result.diagnostics.push_back(
+                {Severity::Info, "slabs", "UndersideImplausible",
+                 std::format("The ceiling below lies {:.2f} m under this floor: it is not this slab's underside.",
+                             thickness),
+                 slab.id, at(slab.outline, slab.top_m)});
     }
 
     void sayAssumed(const Slab& slab, const char* why)
     {
-        m_result.diagnostics.push_back({Severity::Warning, "slabs", "ThicknessAssumed",
-                                        std::format("{}; its thickness of {:.3f} m is assumed.", why, slab.thickness.value_m), slab.id,
-                                        at(slab.outline, slab.top_m)});
+        m_result.diagnostics.push_back(
+            {Severity::Warning, "slabs", "ThicknessAssumed",
+             std::format("{}; its thickness of {:.3f} m is assumed.", why, slab.thickness.value_m), slab.id,
+             at(slab.outline, slab.top_m)});
     }
 
     static Eigen::Vector3d at(const Polygon& outline, double z)

@@ -10,12 +10,12 @@ namespace s2b
 namespace
 {
 
-constexpr double kTouch_m = 0.02;      // a wall this near to a room bounds it
-constexpr double kCorner_m = 0.60;     // how far a wall may reach past the room: the thickest wall that it meets there
+constexpr double kTouch_m = 0.02;   // a wall this near to a room bounds it
+constexpr double kCorner_m = 0.60;  // how far a wall may reach past the room: the thickest wall that it meets there
 constexpr double kOnWall_m = 1e-6;
-constexpr double kCoverShare = 0.5;    // of a hole, where something overhead was seen
-constexpr double kBelowShare = 0.3;    // of a hole, where floor or steps below were seen
-constexpr double kFloorShare = 0.3;    // of an open area, for it to have a floor
+constexpr double kCoverShare = 0.5;  // of a hole, where something overhead was seen
+constexpr double kBelowShare = 0.3;  // of a hole, where floor or steps below were seen
+constexpr double kFloorShare = 0.3;  // of an open area, for it to have a floor
 
 bool isCarried(const Room& room, const RoomPlan& plan)
 {
@@ -111,8 +111,9 @@ std::vector<Polygon> slabOutlines(const RoomPlan& plan, const SlabParams& params
     std::vector<Polygon> wide;
     const double notch = params.minimumHoleWidth_m / 2;
     for (const Polygon& whole : unite(parts))
-        for (const Polygon& outline : offsetEdges({whole.outer, {}}, [&](const Segment& e)
-                                                  { return isNear(wallEdges, (e.a + e.b) / 2, kOnWall_m) ? -half : 0.0; }))
+        for (const Polygon& outline :
+             offsetEdges({whole.outer, {}},
+                         [&](const Segment& e) { return isNear(wallEdges, (e.a + e.b) / 2, kOnWall_m) ? -half : 0.0; }))
             for (Polygon& p : offsetEdges(outline, [&](const Segment&) { return notch; }))
                 wide.push_back(std::move(p));
     // Narrow notches are closed on the way there and back.
@@ -126,7 +127,8 @@ std::vector<Polygon> slabOutlines(const RoomPlan& plan, const SlabParams& params
     return result;
 }
 
-std::vector<Polygon> slabHoles(const RoomPlan& above, const RoomPlan& below, const PlanBits& undersides, const SlabParams& params)
+std::vector<Polygon> slabHoles(const RoomPlan& above, const RoomPlan& below, const PlanBits& undersides,
+                               const SlabParams& params)
 {
     const PlanGrid& grid = above.grid;
     if (!below.hasCeiling)

@@ -18,7 +18,7 @@ struct SlabParams
     double minimumArea_m2 = 3.0;       ///< of a slab
     double minimumHoleArea_m2 = 1.0;
     double minimumHoleWidth_m = 0.60;
-    double outlineStep_m = 0.05;       ///< smaller steps of the outline are straightened
+    double outlineStep_m = 0.05;  ///< smaller steps of the outline are straightened
     bool operator==(const SlabParams&) const = default;
 };
 
@@ -44,7 +44,8 @@ struct SlabResult
 /// @param storeys  the storeys of the plans
 /// @param nextId   the next free ElementId value; advanced
 /// Cost: O(cells) and O(pixels) a storey.
-[[nodiscard]] SlabResult findSlabs(const PlanCells& cells, const std::vector<RoomPlan>& plans, const std::vector<ElementId>& storeys,
-                                   std::uint32_t& nextId, const SlabParams& params, const Context& context);
+[[nodiscard]] SlabResult findSlabs(const PlanCells& cells, const std::vector<RoomPlan>& plans,
+                                   const std::vector<ElementId>& storeys, std::uint32_t& nextId,
+                                   const SlabParams& params, const Context& context);
 
 }  // namespace s2b

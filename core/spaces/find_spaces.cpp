@@ -10,7 +10,7 @@ namespace s2b
 namespace
 {
 
-constexpr double kTouch_m = 0.02;     // a face this near to the outline bounds it
+constexpr double kTouch_m = 0.02;  // a face this near to the outline bounds it
 constexpr double kTouchLength_m = 0.05;
 
 /// Length over which two nearly parallel segments run side by side within kTouch_m.
@@ -64,17 +64,24 @@ SpaceResult findSpaces(const RoomPlan& plan, ElementId storey, std::size_t store
             continue;
         switch (room.kind)
         {
-        case RoomKind::Unseen:
-            say(Severity::Info, "EnclosedUnseen", std::format("Walls enclose {:.1f} m2 here that were not seen: a shaft, or a room that was not scanned; there is no space.", size));
-            continue;
-        case RoomKind::Uncovered:
-            say(Severity::Info, "EnclosedUncovered", std::format("Walls enclose {:.1f} m2 here with nothing overhead; there is no space.", size));
-            continue;
-        case RoomKind::Open:
-            say(Severity::Warning, "RoomNotClosed", std::format("A room of about {:.1f} m2 was seen here, but walls make up only {:.0f} % of its outline; there is no space.", size, 100 * room.wallShare));
-            continue;
-        case RoomKind::Room:
-            break;
+            case RoomKind::Unseen:
+                say(Severity::Info, "EnclosedUnseen",
+                    std::format("Walls enclose {:.1f} m2 here that were not seen: a shaft, or a room that was not "
+                                "scanned; there is no space.",
+                                size));
+                continue;
+            case RoomKind::Uncovered:
+                say(Severity::Info, "EnclosedUncovered",
+                    std::format("Walls enclose {:.1f} m2 here with nothing overhead; there is no space.", size));
+                continue;
+            case RoomKind::Open:
+                say(Severity::Warning, "RoomNotClosed",
+                    std::format("A room of about {:.1f} m2 was seen here, but walls make up only {:.0f} % of its "
+                                "outline; there is no space.",
+                                size, 100 * room.wallShare));
+                continue;
+            case RoomKind::Room:
+                break;
         }
         Space space;
         space.id = ElementId{nextId++};
@@ -82,11 +89,16 @@ SpaceResult findSpaces(const RoomPlan& plan, ElementId storey, std::size_t store
         space.name = std::format("{}.{:02}", storeyNumber, ++number);
         space.outline = room.outline;
         space.floor_m = room.floor_m;
-        space.height = {room.ceiling_m - room.floor_m, room.ceilingSeen ? Provenance::Measured : Provenance::Assumed, room.ceilingRms_m};
+        space.height = {room.ceiling_m - room.floor_m, room.ceilingSeen ? Provenance::Measured : Provenance::Assumed,
+                        room.ceilingRms_m};
         space.area_m2 = size;
         space.boundedBy = wallsAround(room, plan);
         if (const double open = 1 - room.wallShare - room.roofShare; open > 0.005)
-            say(Severity::Warning, "SpaceClosedByCeiling", std::format("No wall was found along {:.0f} % of this space's outline; the outline of its ceiling closes it.", 100 * open), space.id);
+            say(Severity::Warning, "SpaceClosedByCeiling",
+                std::format(
+                    "No wall was found along {:.0f} % of this space's outline; the outline of its ceiling closes it.",
+                    100 * open),
+                space.id);
         result.spaces.push_back(std::move(space));
     }
     return result;

@@ -17,7 +17,10 @@ namespace
 constexpr double kSmallest_m2 = 1e-4;
 constexpr double kSnapAngle = 0.26;  // sides within 15 degrees of a direction take it
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+    return a.x() * b.y() - a.y() * b.x();
+}
 
 /// Makes valid polygons of rings that may cross, and drops specks.
 std::vector<Polygon> cleaned(const Polygon& polygon)
@@ -85,6 +88,22 @@ bool isAligned(const Side& side, const StraightenOptions& options)
                        { return std::abs(cross(side.t, Eigen::Vector2d(std::cos(d), std::sin(d)))) < 1e-6; });
 }
 
+bool isSquare(const Side& a, const Side& b)
+{
+    return std::abs(a.t.dot(b.t)) < kSnapAngle;
+}
+
+/// How much of the corner of its neighbours a side cuts off: its distance from there, or two thirds of its length
+/// where they run alike.
+double cutOff(const Side& side, const Side& before, const Side& after)
+{
+    const double turn = cross(before.t, after.t);
+    if (std::abs(turn) < kSnapAngle)
+        return 0.67 * side.length();
+    const Eigen::Vector2d corner = before.from + before.t * (cross(after.from - before.from, after.t) / turn);
+    return std::abs(side.outward().dot(corner - side.from));
+}
+
 /// Moves a side onto the face that runs along most of it.
 void snapToFace(Side& side, const StraightenOptions& options)
 {
@@ -128,13 +147,21 @@ std::optional<Ring> straightened(const Ring& outline, const Ring& simple, const 
         if (count == 0)
             continue;
         Side side = fitSide(outline, at[i], count, options);
-        // A corner cut off by the raster or by what stands in it: its neighbours meet in the corner.
-        if (side.length() < 1.5 * options.detail_m && !isAligned(side, options))
-            continue;
-        snapToFace(side, options);
         sides.push_back(side);
     }
-    SideRing ring(std::move(sides));
+    // A corner cut off by the raster or by what stands in it: its neighbours meet in the corner.
+    std::vector<Side> kept;
+    for (std::size_t i = 0; i < sides.size(); ++i)
+    {
+        const Side& before = sides[(i + sides.size() - 1) % sides.size()];
+        const Side& after = sides[(i + 1) % sides.size()];
+        const bool isStep = isAligned(sides[i], options) && (isSquare(sides[i], before) || isSquare(sides[i], after));
+        if (!isStep && cutOff(sides[i], before, after) < options.detail_m)
+            continue;
+        snapToFace(sides[i], options);
+        kept.push_back(sides[i]);
+    }
+    SideRing ring(std::move(kept));
     if (!ring.close())
         return std::nullopt;
     ring.removeSteps(options.detail_m);
@@ -199,7 +226,8 @@ std::vector<Polygon> straightOutlines(const PlanBits& bits, const PlanGrid& grid
                 consider(hole);
             return *best;
         };
-        for (Polygon& p : changedRings(simple, [&](const Ring& ring) { return straightened(original(ring), ring, options); }))
+        for (Polygon& p :
+             changedRings(simple, [&](const Ring& ring) { return straightened(original(ring), ring, options); }))
             result.push_back(std::move(p));
     }
     return unite(result);

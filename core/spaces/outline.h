@@ -25,7 +25,8 @@ struct Segment
 /// Moves each edge outwards by distance(edge) (inwards when negative), corners staying sharp: the inverse of widening
 /// walls. Edges that vanish on the way are dropped with what they enclosed.
 /// @return valid polygons, without those below 1e-4 m2.
-[[nodiscard]] std::vector<Polygon> offsetEdges(const Polygon& polygon, const std::function<double(const Segment&)>& distance);
+[[nodiscard]] std::vector<Polygon> offsetEdges(const Polygon& polygon,
+                                               const std::function<double(const Segment&)>& distance);
 
 /// How a jagged raster outline becomes one of few straight sides.
 struct StraightenOptions
@@ -38,7 +39,8 @@ struct StraightenOptions
 
 /// Outlines of the set pixels with straight sides along the given directions, where the outline allows it.
 /// @return valid polygons.
-[[nodiscard]] std::vector<Polygon> straightOutlines(const PlanBits& bits, const PlanGrid& grid, const StraightenOptions& options);
+[[nodiscard]] std::vector<Polygon> straightOutlines(const PlanBits& bits, const PlanGrid& grid,
+                                                    const StraightenOptions& options);
 
 /// Removes steps of less than `step_m` between parallel sides: the shorter side moves onto the longer one's line.
 [[nodiscard]] std::vector<Polygon> withoutSteps(const Polygon& polygon, double step_m);

@@ -12,9 +12,9 @@ namespace
 
 constexpr double kPixel_m = 0.05;
 constexpr double kRim_m = 1.0;
-constexpr double kMostPixels = 2e6;  // a site of 70 m by 70 m in full resolution
+constexpr double kMostPixels = 2e6;    // a site of 70 m by 70 m in full resolution
 constexpr double kFloorBand_m = 0.07;  // thinner than a slab, so that its underside is not taken for it
-constexpr double kHead_m = 1.9;      // what is higher above the floor is overhead
+constexpr double kHead_m = 1.9;        // what is higher above the floor is overhead
 
 /// Whether a cell says something of a room's floor or ceiling.
 bool isOfRoom(const PlanCells& cells, const PlanCell& c)
@@ -23,11 +23,13 @@ bool isOfRoom(const PlanCells& cells, const PlanCell& c)
                                 c.label != Label::Furniture && c.label != Label::Column);
 }
 
-/// A pitched roof, down to where it meets the floor. Below the height of heads it has to be smooth: furniture slopes too.
+/// A pitched roof, down to where it meets the floor. Below the height of heads it has to be smooth: furniture slopes
+/// too.
 bool isSlope(const PlanCell& c, const Level& level)
 {
     const double z = static_cast<double>(c.z), above = z - level.floor_m;
-    return !level.ceilingSeen && c.upward < 0.97f && above > 0.2 && z < level.ceiling_m + 0.4 && (above > 1.4 || c.isSmooth);
+    return !level.ceilingSeen && c.upward < 0.97f && above > 0.2 && z < level.ceiling_m + 0.4 &&
+           (above > 1.4 || c.isSmooth);
 }
 
 std::uint8_t layersOf(const PlanCells& cells, const PlanCell& c, const Level& level)
@@ -94,7 +96,10 @@ std::size_t PlanGrid::find(const Eigen::Vector2d& p) const
     return at(static_cast<int>(i.x()), static_cast<int>(i.y()));
 }
 
-int PlanGrid::reach(double metres) const { return std::max(1, static_cast<int>(std::lround(metres / pixel_m))); }
+int PlanGrid::reach(double metres) const
+{
+    return std::max(1, static_cast<int>(std::lround(metres / pixel_m)));
+}
 
 PlanCells planCellsOf(const SurfaceCells& cells)
 {
@@ -120,7 +125,8 @@ PlanCells planCellsOf(const SurfaceCells& cells)
     for (const SurfaceCell& c : cells.cells)
         if (const float upward = std::abs(c.normal.z()); upward >= 0.4f)
             if (const std::size_t i = grid.find(c.position.head<2>().cast<double>()); i < grid.size())
-                result.cells.push_back({static_cast<std::uint32_t>(i), c.position.z(), c.count, upward, c.label, c.flatness < smooth});
+                result.cells.push_back(
+                    {static_cast<std::uint32_t>(i), c.position.z(), c.count, upward, c.label, c.flatness < smooth});
     return result;
 }
 
@@ -182,8 +188,14 @@ std::vector<PixelSpan> pixelsOf(const Polygon& polygon, const PlanGrid& grid)
     return spans;
 }
 
-PlanBits dilated(const PlanBits& bits, const PlanGrid& grid, int reach) { return spreadBothWays(bits, grid, reach, true); }
+PlanBits dilated(const PlanBits& bits, const PlanGrid& grid, int reach)
+{
+    return spreadBothWays(bits, grid, reach, true);
+}
 
-PlanBits eroded(const PlanBits& bits, const PlanGrid& grid, int reach) { return spreadBothWays(bits, grid, reach, false); }
+PlanBits eroded(const PlanBits& bits, const PlanGrid& grid, int reach)
+{
+    return spreadBothWays(bits, grid, reach, false);
+}
 
 }  // namespace s2b

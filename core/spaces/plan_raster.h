@@ -21,7 +21,10 @@ struct PlanGrid
     double pixel_m = 0.05;
     int width = 0, height = 0;
 
-    [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
+    [[nodiscard]] std::size_t size() const
+    {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    }
     [[nodiscard]] std::size_t at(int x, int y) const
     {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
@@ -39,7 +42,7 @@ struct PlanCell
     std::uint32_t count = 0;  ///< points
     float upward = 0;         ///< |normal.z|
     Label label = Label::Unassigned;
-    bool isSmooth = false;    ///< part of a plane, not of a heap
+    bool isSmooth = false;  ///< part of a plane, not of a heap
 };
 
 /// The cells of a building that do not stand upright, by pixel.
@@ -69,7 +72,8 @@ enum PlanLayer : std::uint8_t
 
 [[nodiscard]] PlanBits rasterOf(const PlanCells& cells, const Level& level);
 
-/// Lowest height of what slopes overhead in each pixel, NaN where there is nothing; empty when the storey's ceiling is level.
+/// Lowest height of what slopes overhead in each pixel, NaN where there is nothing; empty when the storey's ceiling is
+/// level.
 [[nodiscard]] std::vector<float> slopesOf(const PlanCells& cells, const Level& level);
 
 /// Pixels side by side, from index begin up to end.

@@ -11,7 +11,7 @@ namespace
 {
 
 constexpr double kBin_m = 0.01;
-constexpr double kBand_m = 0.03;       // half of the height range that is one ceiling
+constexpr double kBand_m = 0.03;  // half of the height range that is one ceiling
 constexpr double kFloorBand_m = 0.06;
 constexpr double kHead_m = 1.9;
 constexpr double kCeilingShare = 1.0 / 3;  // of a room's plan, for its ceiling to be called seen
@@ -86,7 +86,8 @@ void measureHeights(const PlanCells& cells, RoomPlan& plan)
     const Level& level = plan.level;
     std::vector<std::uint32_t> roomOf(plan.grid.size(), 0);  // 1 + index
     std::vector<Heights> heights(plan.rooms.size());
-    const double floorLow = level.floor_m - kFloorBand_m, overheadLow = level.floor_m + kHead_m, overheadHigh = level.ceiling_m + 0.08;
+    const double floorLow = level.floor_m - kFloorBand_m, overheadLow = level.floor_m + kHead_m,
+                 overheadHigh = level.ceiling_m + 0.08;
     const auto bins = [](double length) { return static_cast<std::size_t>(std::max(1.0, std::ceil(length / kBin_m))); };
     for (std::size_t r = 0; r < plan.rooms.size(); ++r)
     {

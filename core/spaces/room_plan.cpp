@@ -13,12 +13,12 @@ namespace s2b
 namespace
 {
 
-constexpr double kOnWall_m = 1e-6;       // an edge this near to the walls' outline came from it
-constexpr double kOpenWidth_m = 0.6;     // narrower open areas are soffits and door recesses
+constexpr double kOnWall_m = 1e-6;    // an edge this near to the walls' outline came from it
+constexpr double kOpenWidth_m = 0.6;  // narrower open areas are soffits and door recesses
 constexpr double kOpenArea_m2 = 2.0;
-constexpr double kFewWalls = 0.1;        // share of an outline
-constexpr double kEaves_m = 1.5;         // a roof that is lower ends the room
-constexpr double kFaint_m2 = 0.02;       // faces below it are slits between walls
+constexpr double kFewWalls = 0.1;   // share of an outline
+constexpr double kEaves_m = 1.5;    // a roof that is lower ends the room
+constexpr double kFaint_m2 = 0.02;  // faces below it are slits between walls
 
 /// Lowest slope overhead near a place; infinite without any.
 double slopeNear(const RoomPlan& plan, const Eigen::Vector2d& p)
@@ -28,7 +28,8 @@ double slopeNear(const RoomPlan& plan, const Eigen::Vector2d& p)
         return lowest;
     for (const double dx : {-1.0, 0.0, 1.0})
         for (const double dy : {-1.0, 0.0, 1.0})
-            if (const std::size_t i = plan.grid.find(p + plan.grid.pixel_m * Eigen::Vector2d(dx, dy)); i < plan.slopes.size())
+            if (const std::size_t i = plan.grid.find(p + plan.grid.pixel_m * Eigen::Vector2d(dx, dy));
+                i < plan.slopes.size())
                 lowest = std::fmin(lowest, static_cast<double>(plan.slopes[i]));
     return lowest;
 }
@@ -72,7 +73,8 @@ void addFace(const Polygon& face, const std::vector<Segment>& wallEdges, RoomKin
     const auto isOnWall = [&](const Segment& e)
     {
         const Eigen::Vector2d middle = (e.a + e.b) / 2;
-        return std::any_of(wallEdges.begin(), wallEdges.end(), [&](const Segment& w) { return distanceTo(w, middle) < kOnWall_m; });
+        return std::any_of(wallEdges.begin(), wallEdges.end(),
+                           [&](const Segment& w) { return distanceTo(w, middle) < kOnWall_m; });
     };
     double all = 0, onWall = 0, underRoof = 0;
     for (const Segment& e : edgesOf(std::span(&face, 1)))
@@ -116,7 +118,8 @@ void setPixels(PlanBits& bits, const PlanGrid& grid, const std::vector<Polygon>&
 }
 
 /// Areas that were seen as room outside of what the walls enclose.
-std::vector<Polygon> openAreas(const RoomPlan& plan, const std::vector<Polygon>& solid, const std::vector<Polygon>& enclosed)
+std::vector<Polygon> openAreas(const RoomPlan& plan, const std::vector<Polygon>& solid,
+                               const std::vector<Polygon>& enclosed)
 {
     const PlanGrid& grid = plan.grid;
     PlanBits wall(grid.size(), 0), taken(grid.size(), 0), open(grid.size(), 0);
@@ -147,7 +150,8 @@ std::vector<Polygon> openAreas(const RoomPlan& plan, const std::vector<Polygon>&
     std::vector<Polygon> walls = solid;
     walls.insert(walls.end(), enclosed.begin(), enclosed.end());
     std::vector<Polygon> areas = subtract(straightOutlines(grown, grid, options), walls);
-    std::erase_if(areas, [](const Polygon& p) { return area(p) < kOpenArea_m2 || 2 * area(p) < 0.5 * kOpenWidth_m * perimeter(p); });
+    std::erase_if(areas, [](const Polygon& p)
+                  { return area(p) < kOpenArea_m2 || 2 * area(p) < 0.5 * kOpenWidth_m * perimeter(p); });
     return areas;
 }
 
@@ -197,8 +201,8 @@ std::vector<double> directionsOf(const std::vector<Wall>& walls)
     return directions;
 }
 
-RoomPlan planRooms(const PlanCells& cells, const Level& level, std::vector<Wall> walls,
-                   const SpaceParams& params, const Context& context)
+RoomPlan planRooms(const PlanCells& cells, const Level& level, std::vector<Wall> walls, const SpaceParams& params,
+                   const Context& context)
 {
     RoomPlan plan;
     plan.level = level;
@@ -242,7 +246,8 @@ RoomPlan planRooms(const PlanCells& cells, const Level& level, std::vector<Wall>
         if (room.kind == RoomKind::Open && room.wallShare + room.roofShare >= params.minimumWallShare)
             room.kind = RoomKind::Room;
     // Beside better ones, what no wall bounds is a soffit, a tree, a car's roof.
-    const bool hasBounded = std::any_of(plan.rooms.begin(), plan.rooms.end(), [](const Room& r) { return r.wallShare >= kFewWalls; });
+    const bool hasBounded =
+        std::any_of(plan.rooms.begin(), plan.rooms.end(), [](const Room& r) { return r.wallShare >= kFewWalls; });
     std::erase_if(plan.rooms, [&](const Room& r) { return hasBounded && r.wallShare < kFewWalls; });
     std::stable_sort(plan.rooms.begin(), plan.rooms.end(),
                      [](const Room& a, const Room& b)

@@ -10,14 +10,23 @@ namespace s2b
 namespace
 {
 
-constexpr double kParallel = 1e-3;   // sine of the angle below which neighbours have no corner worth computing
+constexpr double kParallel = 1e-3;  // sine of the angle below which neighbours have no corner worth computing
 constexpr double kSameLine_m = 1e-6;
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+    return a.x() * b.y() - a.y() * b.x();
+}
 
-Eigen::Vector2d meet(const Side& a, const Side& b) { return a.from + a.t * (cross(b.from - a.from, b.t) / cross(a.t, b.t)); }
+Eigen::Vector2d meet(const Side& a, const Side& b)
+{
+    return a.from + a.t * (cross(b.from - a.from, b.t) / cross(a.t, b.t));
+}
 
-bool isParallel(const Side& a, const Side& b) { return std::abs(cross(a.t, b.t)) < kParallel; }
+bool isParallel(const Side& a, const Side& b)
+{
+    return std::abs(cross(a.t, b.t)) < kParallel;
+}
 
 }  // namespace
 

@@ -21,7 +21,8 @@ constexpr double kExact_m2 = 1e-6;
 class House
 {
 public:
-    void addStorey(const std::vector<Patch>& floorHoles = {}, const std::vector<Patch>& ceilingHoles = {}, double ceiling = 2.6)
+    void addStorey(const std::vector<Patch>& floorHoles = {}, const std::vector<Patch>& ceilingHoles = {},
+                   double ceiling = 2.6)
     {
         const double z = 2.85 * static_cast<double>(m_levels.size());
         m_scene.level(kPlan, z, Label::Floor, floorHoles);
@@ -86,7 +87,7 @@ TEST(FindSlabs, PutsTheOutlineOnTheOuterFaces)
     EXPECT_DOUBLE_EQ(floors[0]->thickness.value_m, SlabParams{}.defaultThickness_m);
     EXPECT_EQ(countOf(result, "ThicknessAssumed", floors[0]->id), 1);
     EXPECT_EQ(floors[0]->evidence.facesSeen, 1);
-    EXPECT_EQ(floors[0]->evidence.points, 2U * 320U * 200U);  // two a cell of 2.5 cm
+    EXPECT_EQ(floors[0]->evidence.points, 2U * 320U * 200U);                        // two a cell of 2.5 cm
     EXPECT_NEAR(floors[0]->evidence.faceCoverage[0], 40 / House::kOuter_m2, 0.01);  // pixels of 5 cm along 26 m
     EXPECT_DOUBLE_EQ(floors[0]->evidence.labelShare, 1.0);
 }

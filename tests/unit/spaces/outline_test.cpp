@@ -12,7 +12,10 @@ using namespace s2b;
 
 constexpr double kRounding = 1e-9;  // of new corners to double
 
-Polygon rectangle(double x0, double y0, double x1, double y1) { return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}}; }
+Polygon rectangle(double x0, double y0, double x1, double y1)
+{
+    return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}};
+}
 
 TEST(OffsetEdges, WidensWithSharpCornersAndShrinksHoles)
 {
@@ -70,7 +73,10 @@ TEST(WithoutSteps, PutsTheShorterSideOntoTheLongerOnesLine)
     EXPECT_EQ(withoutSteps(stepped, 0.02)[0].outer.size(), 6U);
 }
 
-PlanGrid gridOf(int width, int height) { return {{0, 0}, 0.05, width, height}; }
+PlanGrid gridOf(int width, int height)
+{
+    return {{0, 0}, 0.05, width, height};
+}
 
 /// The pixels of a polygon, without every seventh at its border.
 PlanBits jaggedPixels(const Polygon& polygon, const PlanGrid& grid)

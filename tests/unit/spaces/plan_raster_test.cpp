@@ -52,7 +52,8 @@ TEST(PlanRaster, FillsThePixelsWhoseCentresAreInside)
     forEachPixel(polygon, grid, [&](std::size_t i) { ++bits[i]; });
     for (int y = 0; y < grid.height; ++y)
         for (int x = 0; x < grid.width; ++x)
-            ASSERT_EQ(bits[grid.at(x, y)], contains(polygon, grid.low + grid.pixel_m * Eigen::Vector2d(x + 0.5, y + 0.5)));
+            ASSERT_EQ(bits[grid.at(x, y)],
+                      contains(polygon, grid.low + grid.pixel_m * Eigen::Vector2d(x + 0.5, y + 0.5)));
 }
 
 TEST(PlanRaster, TellsFloorCeilingAndWhatIsBetween)
@@ -61,8 +62,8 @@ TEST(PlanRaster, TellsFloorCeilingAndWhatIsBetween)
     scene.level({{0, 0}, {1, 1}}, 0.0, Label::Floor);
     scene.level({{0, 0}, {1, 1}}, 2.6, Label::Ceiling);
     scene.level({{2, 0}, {3, 1}}, 0.9, Label::Stair);
-    scene.level({{4, 0}, {5, 1}}, 5.6, Label::Ceiling);     // a stairwell's, a storey higher
-    scene.level({{6, 0}, {7, 1}}, 0.0, Label::Furniture);   // not the floor
+    scene.level({{4, 0}, {5, 1}}, 5.6, Label::Ceiling);    // a stairwell's, a storey higher
+    scene.level({{6, 0}, {7, 1}}, 0.0, Label::Furniture);  // not the floor
     const PlanCells cells = scene.cells();
     const PlanBits bits = rasterOf(cells, levelAt(0.0, 2.6));
     const auto at = [&](double x) { return static_cast<int>(bits[cells.grid.find({x, 0.5})]); };

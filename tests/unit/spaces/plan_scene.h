@@ -31,9 +31,11 @@ inline std::vector<Wall> boxOf(std::uint32_t firstId, const Eigen::Vector2d& low
                                double thickness = 0.2, double base = 0.0)
 {
     const double h = thickness / 2;
-    return {wallFrom(firstId, {low.x() - thickness, low.y() - h}, {high.x() + thickness, low.y() - h}, thickness, 2.6, base),
+    return {wallFrom(firstId, {low.x() - thickness, low.y() - h}, {high.x() + thickness, low.y() - h}, thickness, 2.6,
+                     base),
             wallFrom(firstId + 1, {high.x() + h, low.y()}, {high.x() + h, high.y()}, thickness, 2.6, base),
-            wallFrom(firstId + 2, {high.x() + thickness, high.y() + h}, {low.x() - thickness, high.y() + h}, thickness, 2.6, base),
+            wallFrom(firstId + 2, {high.x() + thickness, high.y() + h}, {low.x() - thickness, high.y() + h}, thickness,
+                     2.6, base),
             wallFrom(firstId + 3, {low.x() - h, high.y()}, {low.x() - h, low.y()}, thickness, 2.6, base)};
 }
 
@@ -41,7 +43,10 @@ struct Patch
 {
     Eigen::Vector2d low = Eigen::Vector2d::Zero(), high = Eigen::Vector2d::Zero();
 
-    [[nodiscard]] bool has(const Eigen::Vector2d& p) const { return (p.array() > low.array()).all() && (p.array() < high.array()).all(); }
+    [[nodiscard]] bool has(const Eigen::Vector2d& p) const
+    {
+        return (p.array() > low.array()).all() && (p.array() < high.array()).all();
+    }
 };
 
 /// Surface cells of 2.5 cm: level patches, and patches that slope along x.
@@ -63,7 +68,8 @@ public:
     {
         const Eigen::Vector3f normal = Eigen::Vector3d(-rise, 0, 1).normalized().cast<float>();
         const Eigen::Vector2d size = patch.high - patch.low;
-        const auto nx = static_cast<int>(std::lround(size.x() / m_cells.size_m)), ny = static_cast<int>(std::lround(size.y() / m_cells.size_m));
+        const auto nx = static_cast<int>(std::lround(size.x() / m_cells.size_m)),
+                   ny = static_cast<int>(std::lround(size.y() / m_cells.size_m));
         for (int y = 0; y < ny; ++y)
             for (int x = 0; x < nx; ++x)
             {
