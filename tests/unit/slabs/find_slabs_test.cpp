@@ -194,6 +194,17 @@ TEST(FindSlabs, LeavesWallsOutsideThatStickOut)
     EXPECT_NEAR(area(ofKind(result, SlabKind::Floor)[0]->outline), House::kOuter_m2, kExact_m2);
 }
 
+TEST(FindSlabs, FollowsTheSeenFloorWithoutAnyWalls)
+{
+    House house;
+    house.addStorey();
+    house.walls(0).clear();
+    const auto result = house.slabs();
+    ASSERT_EQ(ofKind(result, SlabKind::Floor).size(), 1U);
+    EXPECT_EQ(ofKind(result, SlabKind::Floor)[0]->outline.outer.size(), 4U);
+    EXPECT_NEAR(area(ofKind(result, SlabKind::Floor)[0]->outline), 8 * 5, 0.05 * 26);  // a pixel of 5 cm along 26 m
+}
+
 TEST(FindSlabs, SaysSoWhenAStoreyHasNone)
 {
     PlanScene scene;
