@@ -14,6 +14,7 @@ namespace
 {
 
 constexpr double kQuarter = std::numbers::pi / 2;
+constexpr std::size_t kSamples = 1000000;  // cells that settle the slope to a few microradians
 
 bool isVertical(const SurfaceCell& c, double tolerance)
 {
@@ -84,8 +85,10 @@ double slopeOfLargestPlanes(const SurfaceCells& cells, double yaw, double tolera
             double offset, along, weight;
         };
         std::vector<Sample> samples;
-        for (const SurfaceCell& c : cells.cells)
+        const std::size_t step = cells.cells.size() / kSamples + 1;
+        for (std::size_t i = 0; i < cells.cells.size(); i += step)
         {
+            const SurfaceCell& c = cells.cells[i];
             if (!isVertical(c, tolerance))
                 continue;
             const double w = weightOf(cells, c);

@@ -188,7 +188,8 @@ std::vector<Moments> momentsOfBlock(const CloudView& cloud, const Blocks& blocks
 {
     const std::uint32_t begin = blocks.start[block];
     const std::uint32_t n = blocks.start[block + 1] - begin;
-    std::vector<std::pair<std::uint32_t, PointIndex>> keyed(n);
+    // Key and position in one word: sorting words is what the processor does best.
+    std::vector<std::uint64_t> keyed(n);
     std::vector<std::array<std::int32_t, 3>> position(n);
     for (std::uint32_t j = 0; j < n; ++j)
     {
@@ -196,27 +197,29 @@ std::vector<Moments> momentsOfBlock(const CloudView& cloud, const Blocks& blocks
         const Eigen::Array3d q = pointAt(cloud, i).cast<double>().array() / size;
         const Eigen::Array3d cell = q.floor();
         const Eigen::Array3i local = cell.cast<int>() - firstCell.array();
-        keyed[j] = {static_cast<std::uint32_t>(local.x()) | static_cast<std::uint32_t>(local.y()) << 10 |
-                        static_cast<std::uint32_t>(local.z()) << 20,
-                    j};
+        keyed[j] = (static_cast<std::uint64_t>(local.x()) | static_cast<std::uint64_t>(local.y()) << 10 |
+                    static_cast<std::uint64_t>(local.z()) << 20)
+                       << 32 |
+                   j;
         const Eigen::Array3d inCell = ((q - cell - 0.5) * kUnits).round();
         position[j] = {static_cast<std::int32_t>(inCell.x()), static_cast<std::int32_t>(inCell.y()),
                        static_cast<std::int32_t>(inCell.z())};
     }
-    std::sort(keyed.begin(), keyed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::sort(keyed.begin(), keyed.end());
     std::vector<Moments> cells;
     for (std::size_t j = 0; j < keyed.size();)
     {
         Moments m;
-        const std::uint32_t key = keyed[j].first;
+        const auto key = static_cast<std::uint32_t>(keyed[j] >> 32);
         m.local = {static_cast<std::int16_t>(key & 1023), static_cast<std::int16_t>(key >> 10 & 1023),
                    static_cast<std::int16_t>(key >> 20)};
         std::array<std::int64_t, 3> s{};
         std::array<std::int64_t, 6> q{};
         std::array<std::uint32_t, kLabelCount> votes{};
-        for (; j < keyed.size() && keyed[j].first == key; ++j)
+        for (; j < keyed.size() && static_cast<std::uint32_t>(keyed[j] >> 32) == key; ++j)
         {
-            const auto& p = position[keyed[j].second];
+            const auto at = static_cast<std::uint32_t>(keyed[j]);
+            const auto& p = position[at];
             ++m.count;
             for (int a = 0; a < 3; ++a)
                 s[static_cast<std::size_t>(a)] += p[static_cast<std::size_t>(a)];
@@ -227,7 +230,7 @@ std::vector<Moments> momentsOfBlock(const CloudView& cloud, const Blocks& blocks
             q[4] += static_cast<std::int64_t>(p[1]) * p[2];
             q[5] += static_cast<std::int64_t>(p[2]) * p[2];
             if (cloud.labels)
-                ++votes[cloud.labels[blocks.order[begin + keyed[j].second]]];
+                ++votes[cloud.labels[blocks.order[begin + at]]];
         }
         for (std::size_t a = 0; a < 3; ++a)
             m.sum[a] = static_cast<float>(static_cast<double>(s[a]) / kUnits);
