@@ -23,7 +23,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 PAPER = np.array([0.985, 0.98, 0.97])
 INK = np.array([0.16, 0.18, 0.22])
 COLORS = {"IfcWall": (0.93, 0.90, 0.85), "IfcDoor": (0.80, 0.50, 0.27), "IfcWindow": (0.52, 0.73, 0.86),
-          "IfcColumn": (0.78, 0.42, 0.38), "IfcSlab": (0.80, 0.81, 0.83)}
+          "IfcColumn": (0.78, 0.42, 0.38), "IfcSlab": (0.90, 0.905, 0.91)}
 CUT = {"IfcWall": (0.25, 0.30, 0.38), "IfcColumn": (0.45, 0.20, 0.18)}
 CUT_ABOVE_FLOOR_M = 1.35  # through doors and windows
 

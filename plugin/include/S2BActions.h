@@ -2,9 +2,8 @@
 // The actions of the menu, as functions of the application.
 #pragma once
 
-#include <vector>
-
 #include <ccHObject.h>
+#include <vector>
 
 class ccMainAppInterface;
 class ccPointCloud;

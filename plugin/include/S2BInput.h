@@ -6,7 +6,6 @@
 #include "core/labels/label.h"
 
 #include <QString>
-
 #include <array>
 #include <map>
 #include <vector>
@@ -29,12 +28,12 @@ namespace s2b
 	**/
 	struct Input
 	{
-		CloudView                             view;
-		QString                               labelField; //!< the field that was used, empty without labels
-		std::array<std::size_t, kLabelCount>  labelCounts{};
-		QString                               warning; //!< why there are no labels, for people; empty when all is well
-		std::vector<float>                    ownPoints;
-		std::vector<std::uint8_t>             ownLabels;
+		CloudView                            view;
+		QString                              labelField; //!< the field that was used, empty without labels
+		std::array<std::size_t, kLabelCount> labelCounts{};
+		QString                              warning; //!< why there are no labels, for people; empty when all is well
+		std::vector<float>                   ownPoints;
+		std::vector<std::uint8_t>            ownLabels;
 	};
 
 	//! Name of the field that holds the labels by custom (Classification, label), empty when there is none

@@ -14,7 +14,7 @@ namespace s2b
 		QString text() const;
 
 	  private:
-		double  m_start_s  = 0;
-		double  m_before_b = 0;
+		double m_start_s  = 0;
+		double m_before_b = 0;
 	};
 } // namespace s2b

@@ -4,7 +4,6 @@
 #include "core/pipeline/parameters.h"
 
 #include <QWidget>
-
 #include <functional>
 #include <vector>
 

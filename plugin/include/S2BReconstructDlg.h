@@ -6,7 +6,6 @@
 
 #include <QDialog>
 #include <QString>
-
 #include <map>
 #include <vector>
 
@@ -65,10 +64,10 @@ class S2BReconstructDlg : public QDialog
 	s2b::LabelMap                    m_map;
 	bool                             m_labelsFit = true;
 
-	QComboBox*                       m_field    = nullptr;
-	QComboBox*                       m_mapName  = nullptr;
-	QTreeWidget*                     m_classes  = nullptr;
-	QLabel*                          m_hint     = nullptr;
+	QComboBox*                       m_field   = nullptr;
+	QComboBox*                       m_mapName = nullptr;
+	QTreeWidget*                     m_classes = nullptr;
+	QLabel*                          m_hint    = nullptr;
 	std::map<s2b::Stage, QCheckBox*> m_stages;
 	S2BParameterPanel*               m_front    = nullptr;
 	S2BParameterPanel*               m_expert   = nullptr;

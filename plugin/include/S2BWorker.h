@@ -4,7 +4,6 @@
 #include "core/model/building.h"
 
 #include <QString>
-
 #include <optional>
 
 class ccMainAppInterface;

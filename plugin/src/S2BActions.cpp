@@ -16,12 +16,10 @@
 #include <QMainWindow>
 #include <QMessageBox>
 #include <QSettings>
-
 #include <algorithm>
-#include <set>
-
 #include <ccMainAppInterface.h>
 #include <ccPointCloud.h>
+#include <set>
 
 namespace s2b
 {

@@ -11,7 +11,6 @@
 
 #include <QDir>
 #include <QFileInfo>
-
 #include <ccLog.h>
 #include <ccMesh.h>
 #include <ccPointCloud.h>

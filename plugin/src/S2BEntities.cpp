@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-
 #include <ccMesh.h>
 #include <ccPlane.h>
 #include <ccPointCloud.h>
@@ -17,10 +16,10 @@ namespace s2b
 {
 	namespace
 	{
-		constexpr double kSpaceLift_m  = 0.02; // a space is drawn as a thin plate, just above the floor slab
-		constexpr double kPlaneEdge_m  = 1.0;  // a level plane reaches this far over the walls
-		constexpr double kAxisLift_m   = 0.02;
-		constexpr double kArcStep_m    = 0.25;
+		constexpr double kSpaceLift_m = 0.02; // a space is drawn as a thin plate, just above the floor slab
+		constexpr double kPlaneEdge_m = 1.0;  // a level plane reaches this far over the walls
+		constexpr double kAxisLift_m  = 0.02;
+		constexpr double kArcStep_m   = 0.25;
 
 		struct ClassStyle
 		{
@@ -39,8 +38,8 @@ namespace s2b
 		    {ElementClass::Slab, "Slab", "Slabs", ccColor::Rgb(150, 155, 165)},
 		    {ElementClass::Space, "Space", "Spaces", ccColor::Rgb(170, 210, 190)},
 		}};
-		const ccColor::Rgb kLevelColor(120, 160, 210);
-		const ccColor::Rgb kAxisColor(200, 60, 60);
+		const ccColor::Rgb              kLevelColor(120, 160, 210);
+		const ccColor::Rgb              kAxisColor(200, 60, 60);
 
 		const ClassStyle& styleOf(ElementClass kind)
 		{
@@ -82,7 +81,8 @@ namespace s2b
 
 		ElementClass classOf(OpeningKind kind)
 		{
-			return kind == OpeningKind::Door ? ElementClass::Door : kind == OpeningKind::Window ? ElementClass::Window : ElementClass::Opening;
+			return kind == OpeningKind::Door ? ElementClass::Door : kind == OpeningKind::Window ? ElementClass::Window
+			                                                                                    : ElementClass::Opening;
 		}
 
 		QString nameOf(ElementClass kind, ElementId id)

@@ -4,12 +4,10 @@
 #include "core/base/error.h"
 
 #include <QStringList>
-
 #include <algorithm>
-#include <cmath>
-
 #include <ccPointCloud.h>
 #include <ccScalarField.h>
+#include <cmath>
 
 namespace s2b
 {
@@ -95,7 +93,7 @@ namespace s2b
 			}
 
 		  private:
-			const LabelMap*      m_map = nullptr;
+			const LabelMap*      m_map   = nullptr;
 			std::array<int, 256> m_label = []
 			{
 				std::array<int, 256> none{};

@@ -2,7 +2,6 @@
 #include "S2BMemory.h"
 
 #include <QFile>
-
 #include <chrono>
 
 namespace s2b

@@ -16,18 +16,15 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QSettings>
 #include <QSpinBox>
 #include <QTabWidget>
 #include <QTreeWidget>
 #include <QVBoxLayout>
-
 #include <ccPointCloud.h>
 
 namespace
 {
-	const QString kSettings = "qScanToBim";
-	const QString kFile     = "From a file...";
+	const QString kFile = "From a file...";
 
 	// The ones that differ from building to building.
 	const std::vector<std::string> kFrontParameters{
@@ -72,7 +69,7 @@ S2BReconstructDlg::S2BReconstructDlg(const std::vector<const ccPointCloud*>& clo
 	qulonglong points = 0;
 	for (const ccPointCloud* cloud : m_clouds)
 		points += cloud->size();
-	auto* title = new QLabel(QString("<b>%1</b>, %2 points").arg(m_clouds.size() == 1 ? m_clouds.front()->getName().toHtmlEscaped() : QString("%1 clouds, taken together").arg(m_clouds.size()), QLocale::c().toString(points)));
+	auto* title = new QLabel(QString("<b>%1</b>, %2 points").arg(m_clouds.size() == 1 ? m_clouds.front()->getName().toHtmlEscaped() : QString("%1 clouds, taken together").arg(m_clouds.size()), QLocale(QLocale::English).toString(points)));
 
 	auto* tabs = new QTabWidget;
 	tabs->setObjectName("tabs");
@@ -293,7 +290,7 @@ void S2BReconstructDlg::updateClasses()
 		const auto known = m_map.classOfCode.find(code);
 		const bool isIn  = known != m_map.classOfCode.end();
 		const auto name  = isIn ? QString::fromStdString(std::string(s2b::labelName(known->second))) : QString("not in this map");
-		auto*      item  = new QTreeWidgetItem(m_classes, {QString::number(code), name, QLocale::c().toString(static_cast<qulonglong>(count))});
+		auto*      item  = new QTreeWidgetItem(m_classes, {QString::number(code), name, QLocale(QLocale::English).toString(static_cast<qulonglong>(count))});
 		item->setTextAlignment(2, Qt::AlignRight);
 		if (!isIn)
 		{
@@ -398,71 +395,4 @@ s2b::RunChoice S2BReconstructDlg::choice() const
 	choice.threads = static_cast<unsigned>(m_threads->value());
 	choice.seed    = static_cast<std::uint64_t>(m_seed->value());
 	return choice;
-}
-
-void S2BReconstructDlg::readSettings()
-{
-	QSettings settings;
-	settings.beginGroup(kSettings);
-	for (const s2b::ParameterInfo& info : s2b::parameterTable())
-	{
-		const QString key = "parameters/" + QString::fromStdString(info.name);
-		if (!settings.contains(key))
-			continue;
-		try
-		{
-			info.set(m_parameters, settings.value(key).toDouble());
-		}
-		catch (const std::exception&)
-		{
-			// of another version with another range: the default stays
-		}
-	}
-	m_front->refresh();
-	m_expert->refresh();
-	for (const StageName& stage : kStages)
-		m_stages[stage.stage]->setChecked(settings.value(QString("stages/") + stage.key, true).toBool());
-	m_schema->setCurrentText(settings.value("schema", "IFC4").toString());
-	m_threads->setValue(settings.value("threads", 0).toInt());
-	m_seed->setValue(settings.value("seed", 1).toInt());
-	m_writeIfc->setChecked(settings.value("writeIfc", false).toBool());
-	const QString folder = settings.value("folder", QDir::homePath()).toString();
-	m_ifcPath->setText(QDir(folder).filePath(m_clouds.front()->getName().section(" - ", 0, 0).section('.', 0, 0) + ".ifc"));
-
-	// The field of last time if this cloud has it, or the one that holds labels by custom.
-	int field = m_field->findText(settings.value("labelField").toString());
-	if (field <= 0)
-		field = m_field->findText(s2b::defaultLabelField(*m_clouds.front()));
-	m_field->setCurrentIndex(std::max(0, field));
-	const QString map = settings.value("labelMap", "s2b").toString();
-	if (m_mapName->findText(map) >= 0 && map != kFile)
-	{
-		m_mapName->setCurrentText(map);
-		m_map = s2b::builtInLabelMap(map.toStdString());
-	}
-}
-
-void S2BReconstructDlg::writeSettings() const
-{
-	QSettings settings;
-	settings.beginGroup(kSettings);
-	for (const s2b::ParameterInfo& info : s2b::parameterTable())
-	{
-		// Only what was changed is remembered, so that better defaults of a later version arrive.
-		const QString key = "parameters/" + QString::fromStdString(info.name);
-		if (info.value(m_parameters) == info.value(s2b::Parameters{}))
-			settings.remove(key);
-		else
-			settings.setValue(key, info.value(m_parameters));
-	}
-	for (const StageName& stage : kStages)
-		settings.setValue(QString("stages/") + stage.key, m_stages.at(stage.stage)->isChecked());
-	settings.setValue("schema", m_schema->currentText());
-	settings.setValue("threads", m_threads->value());
-	settings.setValue("seed", m_seed->value());
-	settings.setValue("writeIfc", m_writeIfc->isChecked());
-	if (m_writeIfc->isChecked())
-		settings.setValue("folder", QFileInfo(m_ifcPath->text()).absolutePath());
-	settings.setValue("labelField", m_field->currentIndex() > 0 ? m_field->currentText() : QString());
-	settings.setValue("labelMap", m_mapName->currentText());
 }

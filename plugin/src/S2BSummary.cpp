@@ -4,7 +4,6 @@
 #include "S2BInput.h"
 
 #include <QLocale>
-
 #include <algorithm>
 #include <cmath>
 
@@ -78,7 +77,7 @@ namespace s2b
 		for (std::size_t i = 0; i < kLabelCount; ++i)
 		{
 			if (input.labelCounts[i])
-				parts << QString("%1 %2").arg(QString::fromStdString(std::string(labelName(static_cast<Label>(i)))), QLocale::c().toString(static_cast<qulonglong>(input.labelCounts[i])));
+				parts << QString("%1 %2").arg(QString::fromStdString(std::string(labelName(static_cast<Label>(i)))), QLocale(QLocale::English).toString(static_cast<qulonglong>(input.labelCounts[i])));
 		}
 		return QString("labels from the field '%1' with the map '%2': %3").arg(input.labelField, mapName, parts.join(", "));
 	}

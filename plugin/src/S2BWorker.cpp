@@ -10,12 +10,10 @@
 #include <QFutureWatcher>
 #include <QMainWindow>
 #include <QtConcurrent>
-
-#include <exception>
-#include <stop_token>
-
 #include <ccMainAppInterface.h>
 #include <ccProgressDialog.h>
+#include <exception>
+#include <stop_token>
 
 namespace s2b
 {

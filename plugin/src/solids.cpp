@@ -2,7 +2,6 @@
 #include "solids.h"
 
 #include <Delaunay2dMesh.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -131,12 +130,12 @@ namespace s2b
 		// A box about the wall's axis between two arc lengths.
 		Solid axisBox(const Wall& wall, double s0, double s1, double z0, double z1, double thickness_m)
 		{
-			Wall piece               = wall;
-			piece.bodyStart_m        = s0;
-			piece.bodyEnd_m          = s1;
-			piece.base_m             = z0;
-			piece.height.value_m     = z1 - z0;
-			piece.thickness.value_m  = thickness_m;
+			Wall piece              = wall;
+			piece.bodyStart_m       = s0;
+			piece.bodyEnd_m         = s1;
+			piece.base_m            = z0;
+			piece.height.value_m    = z1 - z0;
+			piece.thickness.value_m = thickness_m;
 			piece.topProfile.clear();
 			return wallSolid(Building{}, piece);
 		}
@@ -152,13 +151,13 @@ namespace s2b
 			return {wall.start + s * along, left};
 
 		// The arc turns by the sweep; the centre lies on the left of the chord for a counter-clockwise arc.
-		const double          sweep  = sweepOf(wall);
-		const double          radius = length / (2.0 * std::sin(sweep / 2.0)); // signed as the sweep
-		const Eigen::Vector2d centre = wall.start + 0.5 * chord + left * radius * std::cos(sweep / 2.0);
-		const double          angle  = s / radius;
+		const double            sweep  = sweepOf(wall);
+		const double            radius = length / (2.0 * std::sin(sweep / 2.0)); // signed as the sweep
+		const Eigen::Vector2d   centre = wall.start + 0.5 * chord + left * radius * std::cos(sweep / 2.0);
+		const double            angle  = s / radius;
 		const Eigen::Rotation2D turn(angle);
-		const Eigen::Vector2d spoke = turn * (wall.start - centre);
-		const Eigen::Vector2d inward(-spoke / radius); // to the left of the direction, whichever way the arc turns
+		const Eigen::Vector2d   spoke = turn * (wall.start - centre);
+		const Eigen::Vector2d   inward(-spoke / radius); // to the left of the direction, whichever way the arc turns
 		return {centre + spoke, inward.normalized()};
 	}
 
@@ -252,12 +251,12 @@ namespace s2b
 		// CloudCompare's constrained triangulation works in float: about the first corner, to keep the millimetres.
 		if (outline.outer.size() < 3)
 			return {};
-		const Eigen::Vector2d        origin = outline.outer.front();
-		std::vector<CCVector2>       points;
-		std::vector<Eigen::Vector2d> exact;
-		std::vector<int>             segments;
+		const Eigen::Vector2d               origin = outline.outer.front();
+		std::vector<CCVector2>              points;
+		std::vector<Eigen::Vector2d>        exact;
+		std::vector<int>                    segments;
 		std::vector<std::vector<CCVector2>> rings;
-		const auto addRing = [&](const std::vector<Eigen::Vector2d>& ring)
+		const auto                          addRing = [&](const std::vector<Eigen::Vector2d>& ring)
 		{
 			const int first = static_cast<int>(points.size());
 			const int count = static_cast<int>(ring.size());
@@ -288,7 +287,7 @@ namespace s2b
 		for (unsigned t = 0; t < triangulation.size(); ++t)
 		{
 			const CCCoreLib::VerticesIndexes* v = triangulation.getTriangleVertIndexes(t);
-			unsigned a = v->i1, b = v->i2, c = v->i3;
+			unsigned                          a = v->i1, b = v->i2, c = v->i3;
 			if (std::max({a, b, c}) >= exact.size())
 				return {};
 			const Eigen::Vector2d ab = exact[b] - exact[a];

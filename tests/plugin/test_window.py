@@ -68,7 +68,7 @@ def test_reconstruct_look_correct_export(window, to_bin, survey, output):
 def test_cancel_leaves_nothing(window, to_bin, tmp_path, output):
     (output / "cancelled.ifc").unlink(missing_ok=True)  # of an earlier run that failed
     # Large enough that the last moment of cancelling still lies within the run.
-    scan = make_survey(tmp_path / "large.laz", "--storeys", 2, "--rooms", 3, "--step-deg", 0.2, "--voxel", 0.01)
+    scan = make_survey(tmp_path / "large.laz", "--storeys", 2, "--rooms", 2, "--step-deg", 0.2, "--voxel", 0.01)
     window("cancel", to_bin(scan))
 
 
