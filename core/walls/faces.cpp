@@ -2,6 +2,8 @@
 #include "core/walls/faces.h"
 
 #include "core/geometry/dbscan.h"
+#include "core/geometry/line.h"
+#include "core/geometry/plane.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +12,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
-#include <numeric>
+#include <optional>
 #include <tuple>
 #include <unordered_map>
 
@@ -30,53 +32,29 @@ struct Line
     [[nodiscard]] Eigen::Vector2d n() const { return {-t.y(), t.x()}; }
 };
 
-/// Offset with the most weight within +-tolerance among the pixels that are left; weight 0 when there is none.
-std::pair<double, double> bestOffset(const std::vector<PlanPixel>& pixels, const std::vector<std::uint32_t>& left,
-                                     const Eigen::Vector2d& n, double tolerance)
+/// The offset that most of the pixels that are left agree on (HYSAC), and its weight.
+OffsetConsensus bestOffset(const std::vector<PlanPixel>& pixels, const std::vector<std::uint32_t>& left, const Eigen::Vector2d& n, double tolerance)
 {
-    std::vector<std::pair<double, double>> offsets;
-    offsets.reserve(left.size());
+    std::vector<double> offsets, weights;
+    offsets.reserve(left.size()), weights.reserve(left.size());
     for (const std::uint32_t i : left)
-        offsets.emplace_back(n.dot(pixels[i].position), pixels[i].weight);
-    std::sort(offsets.begin(), offsets.end());
-    double sum = 0, best = 0, centre = 0;
-    std::size_t first = 0;
-    for (std::size_t i = 0; i < offsets.size(); ++i)
-    {
-        sum += offsets[i].second;
-        while (offsets[i].first - offsets[first].first > 2 * tolerance)
-            sum -= offsets[first++].second;
-        if (sum > best + 1e-9)
-            best = sum, centre = (offsets[i].first + offsets[first].first) / 2;
-    }
-    return {centre, best};
+        offsets.push_back(n.dot(pixels[i].position)), weights.push_back(pixels[i].weight);
+    return findOffset(offsets, weights, tolerance);
 }
 
-/// Weighted total least squares of the chosen pixels.
-bool fitLine(const std::vector<PlanPixel>& pixels, const std::vector<std::uint32_t>& chosen, Line& line)
+/// Least squares of the chosen pixels.
+bool refit(const std::vector<PlanPixel>& pixels, const std::vector<std::uint32_t>& chosen, Line& line)
 {
-    double w = 0;
-    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    std::vector<Eigen::Vector2d> points;
+    std::vector<double> weights;
+    points.reserve(chosen.size()), weights.reserve(chosen.size());
     for (const std::uint32_t i : chosen)
-        w += pixels[i].weight, mean += pixels[i].weight * pixels[i].position;
-    if (w <= 0)
+        points.push_back(pixels[i].position), weights.push_back(pixels[i].weight);
+    const LineFit fit = fitLine(points, weights);
+    if (fit.weight <= 0 || fit.direction.isZero())
         return false;
-    mean /= w;
-    double xx = 0, xy = 0, yy = 0;
-    for (const std::uint32_t i : chosen)
-    {
-        const Eigen::Vector2d d = pixels[i].position - mean;
-        xx += pixels[i].weight * d.x() * d.x();
-        xy += pixels[i].weight * d.x() * d.y();
-        yy += pixels[i].weight * d.y() * d.y();
-    }
-    const double a = 0.5 * std::atan2(2 * xy, xx - yy);
-    Eigen::Vector2d t(std::cos(a), std::sin(a));
-    if (t.dot(line.t) < 0)
-        t = -t;
-    line.t = t;
-    line.offset = line.n().dot(mean);
-    line.weight = w;
+    line.t = fit.direction.dot(line.t) < 0 ? Eigen::Vector2d(-fit.direction) : fit.direction;
+    line.offset = line.n().dot(fit.point);
     return true;
 }
 
@@ -108,9 +86,31 @@ std::vector<std::uint32_t> heaviestRun(const std::vector<PlanPixel>& pixels, std
     return chosen;
 }
 
+/// What no plane of the set's direction explains may still be a plane of another (a facet of a curved wall): RANSAC
+/// without the constraint, on the pixels drawn out to vertical lines.
+bool drawLine(const std::vector<PlanPixel>& pixels, const std::vector<std::uint32_t>& left, const WallParams& params, const Context& context, Line& line)
+{
+    std::vector<Eigen::Vector3f> points;
+    points.reserve(2 * left.size());
+    const Eigen::Vector2d origin = pixels[left.front()].position;
+    for (const std::uint32_t i : left)
+        for (const float z : {0.0f, 1.0f})
+            points.emplace_back(static_cast<float>(pixels[i].position.x() - origin.x()), static_cast<float>(pixels[i].position.y() - origin.y()), z);
+    PlaneOptions options;
+    options.tolerance_m = params.planeDistance_m;
+    options.seed = context.seed;
+    const std::optional<PlaneFit> fit = fitPlane(points, options);
+    if (!fit || std::abs(fit->normal.z()) > 0.05)
+        return false;
+    const Eigen::Vector2d n = fit->normal.head<2>().normalized();
+    line.t = {n.y(), -n.x()};
+    line.offset = fit->offset_m + n.dot(origin);
+    return true;
+}
+
 /// Lines of one instance, the heaviest first.
 std::vector<Line> linesOfInstance(const std::vector<PlanPixel>& pixels, std::vector<std::uint32_t> left, double normalAngle,
-                                  double cell, const WallParams& params)
+                                  double cell, const WallParams& params, const Context& context)
 {
     std::vector<Line> lines;
     const Eigen::Vector2d axisNormal(std::cos(normalAngle), std::sin(normalAngle));
@@ -122,10 +122,12 @@ std::vector<Line> linesOfInstance(const std::vector<PlanPixel>& pixels, std::vec
     {
         Line line;
         line.t = axis;
-        const auto [offset, weight] = bestOffset(pixels, left, line.n(), params.planeDistance_m);
-        if (weight < minimumWeight)
+        const OffsetConsensus consensus = bestOffset(pixels, left, line.n(), params.planeDistance_m);
+        if (consensus.weight >= minimumWeight)
+            line.offset = consensus.offset;
+        else if (!drawLine(pixels, left, params, context, line))
             break;
-        line.offset = offset;
+        const Eigen::Vector2d guess = line.t;
         std::vector<std::uint32_t> chosen;
         const auto collect = [&](double tolerance)
         {
@@ -141,13 +143,13 @@ std::vector<Line> linesOfInstance(const std::vector<PlanPixel>& pixels, std::vec
         for (int round = 0; round < 8 && fits; ++round)
         {
             const Line before = line;
-            fits = chosen.size() >= 3 && fitLine(pixels, chosen, line);
+            fits = chosen.size() >= 3 && refit(pixels, chosen, line);
             // A short piece says little about its own direction.
             if (fits && line.end - line.begin < 0.6)
             {
                 const double mid = (line.begin + line.end) / 2;
                 const Eigen::Vector2d centre = line.t * mid + line.n() * line.offset;
-                line.t = axis;
+                line.t = guess;
                 line.offset = line.n().dot(centre);
             }
             if (fits)
@@ -438,7 +440,7 @@ std::vector<Face> findFaces(const SurfaceCells& cells, const Level& level, const
                 members[instance[i]].push_back(static_cast<std::uint32_t>(i));
         for (auto& [id, list] : members)
         {
-            const std::vector<Line> found = linesOfInstance(set.pixels, std::move(list), set.angle_rad, cells.size_m, params);
+            const std::vector<Line> found = linesOfInstance(set.pixels, std::move(list), set.angle_rad, cells.size_m, params, context);
             lines.insert(lines.end(), found.begin(), found.end());
         }
     }
