@@ -155,6 +155,7 @@ Building reconstruct(const CloudView& cloud, const PipelineOptions& options, con
         }
     }
     addRooms(cells, levels.levels, options, nextId, building, context);
+    context.checkCancelled();  // also of a request made in the last step
     return building;
 }
 
