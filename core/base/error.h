@@ -10,16 +10,17 @@ namespace s2b
 /// What kind of input was wrong. Stages never throw because the data did not allow a result: that is a Diagnostic.
 enum class ErrorCode
 {
-    EmptyCloud,       ///< no point, or none left to work on
-    BadCoordinates,   ///< NaN or infinite coordinates, or coordinates that lost their precision
-    BadLabels,        ///< no label field, codes without a class, a label map that can't be used
-    BadParameter,     ///< unknown name, value out of range, file that is not TOML
-    BadFile,          ///< unreadable, truncated or not of the expected format
-    CannotWrite,      ///< the output could not be written; no partial file is left
-    Internal          ///< a broken invariant of ours
+    EmptyCloud,      ///< no point, or none left to work on
+    BadCoordinates,  ///< NaN or infinite coordinates, or coordinates that lost their precision
+    BadLabels,       ///< no label field, codes without a class, a label map that can't be used
+    BadParameter,    ///< unknown name, value out of range, file that is not TOML
+    BadFile,         ///< unreadable, truncated or not of the expected format
+    CannotWrite,     ///< the output could not be written; no partial file is left
+    Internal         ///< a broken invariant of ours
 };
 
-/// Bad input: one sentence that names the file or value and what to do. Arguments are unchanged, no partial output is left.
+/// Bad input: one sentence that names the file or value and what to do. Arguments are unchanged, no partial output is
+/// left.
 class Error : public std::runtime_error
 {
 public:

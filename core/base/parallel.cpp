@@ -40,4 +40,15 @@ void parallelChunks(std::size_t count, std::size_t chunk, unsigned threads,
         });
 }
 
+void parallelChunks(std::size_t count, std::size_t chunk, const Context& context,
+                    const std::function<void(std::size_t begin, std::size_t end)>& body)
+{
+    parallelChunks(count, chunk, context.threads,
+                   [&](std::size_t begin, std::size_t end)
+                   {
+                       context.checkCancelled();
+                       body(begin, end);
+                   });
+}
+
 }  // namespace s2b

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/context.h"
+
 #include <cstddef>
 #include <functional>
 
@@ -13,6 +15,10 @@ namespace s2b
 /// and combined in chunk order is the same for any number of threads. Serial when there is only one chunk.
 /// An exception of a body is rethrown here.
 void parallelChunks(std::size_t count, std::size_t chunk, unsigned threads,
+                    const std::function<void(std::size_t begin, std::size_t end)>& body);
+
+/// The same with the context's threads; ends with Cancelled at the next chunk once that was asked for.
+void parallelChunks(std::size_t count, std::size_t chunk, const Context& context,
                     const std::function<void(std::size_t begin, std::size_t end)>& body);
 
 }  // namespace s2b

@@ -19,8 +19,8 @@ class CellIndex
 public:
     CellIndex(const SurfaceCells& cells, double zMin, double zMax);
 
-    /// Calls visit(cell) for every cell of the tiles that the segment from a to b, widened by `reach`, touches: all that
-    /// lie within, and some around. In a fixed order.
+    /// Calls visit(cell) for every cell of the tiles that the segment from a to b, widened by `reach`, touches: all
+    /// that lie within, and some around. In a fixed order.
     template <typename Visit>
     void near(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double reach, Visit&& visit) const
     {
@@ -36,7 +36,8 @@ public:
                 const Eigen::Vector2d centre = m_low + kTile_m * Eigen::Vector2d(x + 0.5, y + 0.5) - a;
                 if (std::abs(n.dot(centre)) > reach + 0.71 * kTile_m)
                     continue;
-                const std::size_t tile = static_cast<std::size_t>(x) + static_cast<std::size_t>(m_size.x()) * static_cast<std::size_t>(y);
+                const std::size_t tile =
+                    static_cast<std::size_t>(x) + static_cast<std::size_t>(m_size.x()) * static_cast<std::size_t>(y);
                 for (std::uint32_t i = m_start[tile]; i < m_start[tile + 1]; ++i)
                     visit(m_cells->cells[m_order[i]]);
             }

@@ -27,7 +27,7 @@ Extent extentOf(const CloudView& cloud, const Context& context)
 {
     Extent all;
     std::mutex mutex;
-    parallelChunks(cloud.count, kChunk, context.threads,
+    parallelChunks(cloud.count, kChunk, context,
                    [&](std::size_t begin, std::size_t end)
                    {
                        Extent e;
@@ -85,10 +85,12 @@ KeptRegion findDenseRegion(const CloudView& cloud, const ClutterParams& params, 
     {
         const Eigen::Array3i v = ((p - extent.low).cast<double>().array() / voxel).floor().cast<int>().min(size - 1);
         return static_cast<std::size_t>(v.x()) +
-               static_cast<std::size_t>(size.x()) * (static_cast<std::size_t>(v.y()) + static_cast<std::size_t>(size.y()) * static_cast<std::size_t>(v.z()));
+               static_cast<std::size_t>(size.x()) *
+                   (static_cast<std::size_t>(v.y()) +
+                    static_cast<std::size_t>(size.y()) * static_cast<std::size_t>(v.z()));
     };
     std::vector<std::atomic<std::uint32_t>> counts(static_cast<std::size_t>(size.cast<double>().prod()));
-    parallelChunks(cloud.count, kChunk, context.threads,
+    parallelChunks(cloud.count, kChunk, context,
                    [&](std::size_t begin, std::size_t end)
                    {
                        for (std::size_t i = begin; i < end; ++i)
@@ -125,8 +127,10 @@ KeptRegion findDenseRegion(const CloudView& cloud, const ClutterParams& params, 
         if (counts[i].load(std::memory_order_relaxed) < std::max(2.0, limit))
             continue;
         const auto nx = static_cast<std::size_t>(size.x()), ny = static_cast<std::size_t>(size.y());
-        const Eigen::Vector3d low = extent.low.cast<double>() +
-                                    voxel * Eigen::Vector3d(static_cast<double>(i % nx), static_cast<double>(i / nx % ny), static_cast<double>(i / nx / ny));
+        const Eigen::Vector3d low =
+            extent.low.cast<double>() + voxel * Eigen::Vector3d(static_cast<double>(i % nx),
+                                                                static_cast<double>(i / nx % ny),
+                                                                static_cast<double>(i / nx / ny));
         for (int k = 0; k < 4; ++k)
             corners.emplace_back(low.x() + (k & 1 ? voxel : 0), low.y() + (k & 2 ? voxel : 0));
         zMin = std::min(zMin, low.z());

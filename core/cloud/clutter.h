@@ -13,9 +13,10 @@ namespace s2b
 struct ClutterParams
 {
     bool enabled = true;
-    double voxelSize_m = 0.65;         ///< D3.6, 3.2
-    double minimumDensity = 0.02;      ///< share of the cloud's own typical points per voxel (D3.6: 2500 points of one cloud)
-    double margin_m = 0.5;             ///< around the box of the dense voxels
+    double voxelSize_m = 0.65;  ///< D3.6, 3.2
+    double minimumDensity =
+        0.02;               ///< share of the cloud's own typical points per voxel (D3.6: 2500 points of one cloud)
+    double margin_m = 0.5;  ///< around the box of the dense voxels
     bool operator==(const ClutterParams&) const = default;
 };
 

@@ -28,10 +28,13 @@ double weightOf(const SurfaceCells& cells, const SurfaceCell& c)
         return 1.0;
     switch (c.label)
     {
-        case Label::Wall: return 1.0;
+        case Label::Wall:
+            return 1.0;
         case Label::Furniture:
-        case Label::Stair: return 0.0;
-        default: return 0.1;
+        case Label::Stair:
+            return 0.0;
+        default:
+            return 0.1;
     }
 }
 
@@ -47,14 +50,16 @@ double histogramPeak(const SurfaceCells& cells, double tolerance)
     };
     for (const SurfaceCell& c : cells.cells)
         if (isVertical(c, tolerance))
-            histogram[std::min(bins - 1, static_cast<std::size_t>(folded(c.normal) / kQuarter * bins))] += weightOf(cells, c);
+            histogram[std::min(bins - 1, static_cast<std::size_t>(folded(c.normal) / kQuarter * bins))] +=
+                weightOf(cells, c);
     std::size_t best = 0;
     double bestSum = 0;
     for (std::size_t i = 0; i < bins; ++i)
     {
         double sum = 0;
         for (int k = -6; k <= 6; ++k)
-            sum += histogram[(i + bins + static_cast<std::size_t>(k + static_cast<int>(bins))) % bins] * (7 - std::abs(k));
+            sum +=
+                histogram[(i + bins + static_cast<std::size_t>(k + static_cast<int>(bins))) % bins] * (7 - std::abs(k));
         if (sum > bestSum)
             bestSum = sum, best = i;
     }
@@ -99,8 +104,7 @@ double slopeOfLargestPlanes(const SurfaceCells& cells, double yaw, double tolera
             // Offset along the normal and position along the plane, such that d offset / d along is a turn of the axes.
             axis == 0 ? samples.push_back({-x, y, w}) : samples.push_back({y, x, w});
         }
-        std::sort(samples.begin(), samples.end(),
-                  [](const Sample& a, const Sample& b)
+        std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b)
                   { return std::tie(a.offset, a.along) < std::tie(b.offset, b.along); });
         // Windows of 6 cm, the heaviest first, taking their samples out.
         constexpr double window = 0.06;
@@ -122,7 +126,8 @@ double slopeOfLargestPlanes(const SurfaceCells& cells, double yaw, double tolera
             double w = 0, ma = 0, mo = 0;
             for (std::size_t i = bestFirst; i <= bestLast; ++i)
                 if (!used[i])
-                    w += samples[i].weight, ma += samples[i].weight * samples[i].along, mo += samples[i].weight * samples[i].offset;
+                    w += samples[i].weight, ma += samples[i].weight * samples[i].along,
+                        mo += samples[i].weight * samples[i].offset;
             ma /= w, mo /= w;
             for (std::size_t i = bestFirst; i <= bestLast; ++i)
                 if (!used[i])

@@ -18,10 +18,10 @@ namespace s2b
 namespace
 {
 
-constexpr double kBlock_m = 1.0;             // a block's cells fit into the cache
+constexpr double kBlock_m = 1.0;  // a block's cells fit into the cache
 constexpr std::size_t kPointChunk = 1u << 18;
-constexpr std::int32_t kUnits = 4096;        // positions within a cell, as whole numbers: sums don't depend on the order
-constexpr int kHalo = 2;                     // cells around a block that its normals look at
+constexpr std::int32_t kUnits = 4096;  // positions within a cell, as whole numbers: sums don't depend on the order
+constexpr int kHalo = 2;               // cells around a block that its normals look at
 
 struct Bounds
 {
@@ -39,7 +39,7 @@ Bounds findBounds(const CloudView& cloud, const KeptRegion& region, const Contex
     Bounds all;
     std::mutex mutex;
     std::atomic<std::size_t> firstBad{std::numeric_limits<std::size_t>::max()};
-    parallelChunks(cloud.count, kPointChunk, context.threads,
+    parallelChunks(cloud.count, kPointChunk, context,
                    [&](std::size_t begin, std::size_t end)
                    {
                        Bounds b;
@@ -65,8 +65,9 @@ Bounds findBounds(const CloudView& cloud, const KeptRegion& region, const Contex
                    });
     context.checkCancelled();
     if (firstBad != std::numeric_limits<std::size_t>::max())
-        throw Error(ErrorCode::BadCoordinates, "point " + std::to_string(firstBad) +
-                                                   " has coordinates that are not finite numbers; remove such points first");
+        throw Error(ErrorCode::BadCoordinates,
+                    "point " + std::to_string(firstBad) +
+                        " has coordinates that are not finite numbers; remove such points first");
     if (!(all.low.x() <= all.high.x()))
         throw Error(ErrorCode::EmptyCloud, "the cloud has no points to work on");
     return all;
@@ -75,11 +76,11 @@ Bounds findBounds(const CloudView& cloud, const KeptRegion& region, const Contex
 /// Points sorted by block: the only per-point memory.
 struct Blocks
 {
-    Eigen::Array3i low = Eigen::Array3i::Zero();   ///< block coordinate of the grid's first block
+    Eigen::Array3i low = Eigen::Array3i::Zero();  ///< block coordinate of the grid's first block
     Eigen::Array3i size = Eigen::Array3i::Zero();
-    std::vector<std::uint32_t> start;              ///< per block of the grid, and one more
-    std::vector<PointIndex> order;                 ///< point indices, block after block
-    std::vector<std::uint32_t> occupied;           ///< grid indices of blocks with points, ascending
+    std::vector<std::uint32_t> start;     ///< per block of the grid, and one more
+    std::vector<PointIndex> order;        ///< point indices, block after block
+    std::vector<std::uint32_t> occupied;  ///< grid indices of blocks with points, ascending
 };
 
 Blocks sortIntoBlocks(const CloudView& cloud, const KeptRegion& region, const Bounds& bounds, const Context& context)
@@ -106,7 +107,7 @@ Blocks sortIntoBlocks(const CloudView& cloud, const KeptRegion& region, const Bo
     std::vector<std::atomic<std::uint32_t>> cursor(count + 1);
     const auto overPoints = [&](const auto& visit)
     {
-        parallelChunks(cloud.count, kPointChunk, context.threads,
+        parallelChunks(cloud.count, kPointChunk, context,
                        [&](std::size_t begin, std::size_t end)
                        {
                            for (std::size_t i = begin; i < end; ++i)
@@ -150,8 +151,10 @@ double estimateSpacing(const CloudView& cloud, const Blocks& blocks)
         std::vector<std::uint64_t> keys(n);
         for (std::uint32_t j = 0; j < n; ++j)
         {
-            const Eigen::Array3d c = (pointAt(cloud, blocks.order[blocks.start[b] + j]).cast<double>() / edge).array().floor();
-            const auto part = [](double v) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(v) + (1 << 20)); };
+            const Eigen::Array3d c =
+                (pointAt(cloud, blocks.order[blocks.start[b] + j]).cast<double>() / edge).array().floor();
+            const auto part = [](double v)
+            { return static_cast<std::uint64_t>(static_cast<std::int64_t>(v) + (1 << 20)); };
             keys[j] = part(c.x()) | part(c.y()) << 21 | part(c.z()) << 42;
         }
         std::sort(keys.begin(), keys.end());
@@ -178,8 +181,8 @@ struct Moments
     Label label = Label::Unassigned;
     std::uint8_t labelShare = 0;
     std::uint32_t count = 0;
-    std::array<float, 3> sum{};      ///< of positions relative to the cell's centre, in cells
-    std::array<float, 6> square{};   ///< xx xy xz yy yz zz
+    std::array<float, 3> sum{};     ///< of positions relative to the cell's centre, in cells
+    std::array<float, 6> square{};  ///< xx xy xz yy yz zz
 };
 
 /// Cells of one block, sorted by (z, y, x).
@@ -230,7 +233,7 @@ std::vector<Moments> momentsOfBlock(const CloudView& cloud, const Blocks& blocks
             q[4] += static_cast<std::int64_t>(p[1]) * p[2];
             q[5] += static_cast<std::int64_t>(p[2]) * p[2];
             if (cloud.labels)
-                ++votes[cloud.labels[blocks.order[begin + at]]];
+                ++votes[std::min<std::size_t>(cloud.labels[blocks.order[begin + at]], kLabelCount - 1)];
         }
         for (std::size_t a = 0; a < 3; ++a)
             m.sum[a] = static_cast<float>(static_cast<double>(s[a]) / kUnits);
@@ -304,7 +307,9 @@ class Neighbourhood
 public:
     explicit Neighbourhood(int cellsPerBlock)
         : m_edge(cellsPerBlock + 2 * kHalo),
-          m_index(static_cast<std::size_t>(m_edge) * static_cast<std::size_t>(m_edge) * static_cast<std::size_t>(m_edge), nullptr)
+          m_index(
+              static_cast<std::size_t>(m_edge) * static_cast<std::size_t>(m_edge) * static_cast<std::size_t>(m_edge),
+              nullptr)
     {
     }
     void set(int x, int y, int z, const Moments* m)
@@ -327,7 +332,8 @@ private:
     {
         return static_cast<std::size_t>(x + kHalo) +
                static_cast<std::size_t>(m_edge) *
-                   (static_cast<std::size_t>(y + kHalo) + static_cast<std::size_t>(m_edge) * static_cast<std::size_t>(z + kHalo));
+                   (static_cast<std::size_t>(y + kHalo) +
+                    static_cast<std::size_t>(m_edge) * static_cast<std::size_t>(z + kHalo));
     }
     int m_edge;
     std::vector<const Moments*> m_index;
@@ -368,11 +374,12 @@ SurfaceCells buildSurfaceCells(const CloudView& cloud, const KeptRegion& region,
     const auto firstCell = [&](std::uint32_t b) -> Eigen::Vector3i
     { return (coordinates(b) + blocks.low.matrix()) * cellsPerBlock; };
 
-    parallelChunks(blockCount, 8, context.threads,
+    parallelChunks(blockCount, 8, context,
                    [&](std::size_t begin, std::size_t end)
                    {
                        for (std::size_t k = begin; k < end; ++k)
-                           moments[k] = momentsOfBlock(cloud, blocks, blocks.occupied[k], size, firstCell(blocks.occupied[k]));
+                           moments[k] =
+                               momentsOfBlock(cloud, blocks, blocks.occupied[k], size, firstCell(blocks.occupied[k]));
                    });
     context.checkCancelled();
     blocks.order = {};
@@ -392,11 +399,11 @@ SurfaceCells buildSurfaceCells(const CloudView& cloud, const KeptRegion& region,
                     const Eigen::Vector3i other = here + Eigen::Vector3i(dx, dy, dz);
                     if ((other.array() < 0).any() || (other.array() >= blocks.size).any())
                         continue;
-                    const std::int32_t slot =
-                        slotOfBlock[static_cast<std::size_t>(other.x()) +
-                                    static_cast<std::size_t>(blocks.size.x()) *
-                                        (static_cast<std::size_t>(other.y()) +
-                                         static_cast<std::size_t>(blocks.size.y()) * static_cast<std::size_t>(other.z()))];
+                    const std::int32_t slot = slotOfBlock[static_cast<std::size_t>(other.x()) +
+                                                          static_cast<std::size_t>(blocks.size.x()) *
+                                                              (static_cast<std::size_t>(other.y()) +
+                                                               static_cast<std::size_t>(blocks.size.y()) *
+                                                                   static_cast<std::size_t>(other.z()))];
                     if (slot < 0)
                         continue;
                     for (const Moments& m : moments[static_cast<std::size_t>(slot)])
@@ -432,8 +439,7 @@ SurfaceCells buildSurfaceCells(const CloudView& cloud, const KeptRegion& region,
             }
             SurfaceCell& cell = result.cells[out++];
             const Eigen::Vector3d mean(m.sum[0], m.sum[1], m.sum[2]);
-            cell.position =
-                ((low + Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5) + mean / m.count) * size).cast<float>();
+            cell.position = ((low + Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5) + mean / m.count) * size).cast<float>();
             cell.count = m.count;
             cell.label = m.label;
             cell.labelShare = m.labelShare;
@@ -443,7 +449,7 @@ SurfaceCells buildSurfaceCells(const CloudView& cloud, const KeptRegion& region,
         }
         around.clear();
     };
-    parallelChunks(blockCount, 16, context.threads,
+    parallelChunks(blockCount, 16, context,
                    [&](std::size_t begin, std::size_t end)
                    {
                        Neighbourhood around(cellsPerBlock);

@@ -26,16 +26,16 @@ struct SurfaceCell
 {
     Eigen::Vector3f position = Eigen::Vector3f::Zero();  ///< centroid [m], relative to the cloud's origin (or frame)
     Eigen::Vector3f normal = Eigen::Vector3f::Zero();    ///< unit, of undecided sign; zero when it has none
-    float flatness = 0.0f;         ///< RMS distance [m] of the neighbourhood's points from the plane
-    std::uint32_t count = 0;       ///< points in the cell
+    float flatness = 0.0f;            ///< RMS distance [m] of the neighbourhood's points from the plane
+    std::uint32_t count = 0;          ///< points in the cell
     Label label = Label::Unassigned;  ///< the most frequent label
-    std::uint8_t labelShare = 0;   ///< its share, 0..255
+    std::uint8_t labelShare = 0;      ///< its share, 0..255
 };
 
 struct SurfaceCells
 {
-    double size_m = 0.0;          ///< edge of a cell
-    double spacing_m = 0.0;       ///< typical point spacing of the cloud
+    double size_m = 0.0;     ///< edge of a cell
+    double spacing_m = 0.0;  ///< typical point spacing of the cloud
     bool hasLabels = false;
     std::vector<SurfaceCell> cells;
 };

@@ -14,9 +14,9 @@ namespace s2b
 /// Columns (D3.6, 3.6).
 struct ColumnParams
 {
-    double clusterRadius_m = 0.10;     ///< DBSCAN radius; D3.6, 3.6
-    int clusterMinimumCells = 20;      ///< smaller clusters are artefacts; D3.6, 3.6 (100 to 5000 points)
-    double sliceMargin_m = 0.25;       ///< cut off above the floor and below the ceiling; D3.6, 3.6
+    double clusterRadius_m = 0.10;  ///< DBSCAN radius; D3.6, 3.6
+    int clusterMinimumCells = 20;   ///< smaller clusters are artefacts; D3.6, 3.6 (100 to 5000 points)
+    double sliceMargin_m = 0.25;    ///< cut off above the floor and below the ceiling; D3.6, 3.6
     double minimumSize_m = 0.08;
     double maximumSize_m = 1.60;
     double circleTolerance_m = 0.012;  ///< RMS of a circle fit that makes a column round
@@ -30,13 +30,15 @@ struct ColumnResult
     std::vector<Diagnostic> diagnostics;
 };
 
-/// Finds the columns of one storey (D3.6, 3.6): DBSCAN in plan of a slice between floor and ceiling, then a rectangle or a
-/// circle, whichever the points fit.
+/// Finds the columns of one storey (D3.6, 3.6): DBSCAN in plan of a slice between floor and ceiling, then a rectangle
+/// or a circle, whichever the points fit.
 ///
-/// From their labelled points; without labels from what stands free of the walls, is no larger than a column and reaches
-/// from the floor to the ceiling. A circle seen from one side takes the radius of the storey's other round columns.
+/// From their labelled points; without labels from what stands free of the walls, is no larger than a column and
+/// reaches from the floor to the ceiling. A circle seen from one side takes the radius of the storey's other round
+/// columns.
 /// @param walls  of this storey
-[[nodiscard]] ColumnResult findColumns(const SurfaceCells& cells, const Level& level, const std::vector<Wall>& walls, ElementId storey,
-                                       std::uint32_t& nextId, const ColumnParams& params, const Context& context);
+[[nodiscard]] ColumnResult findColumns(const SurfaceCells& cells, const Level& level, const std::vector<Wall>& walls,
+                                       ElementId storey, std::uint32_t& nextId, const ColumnParams& params,
+                                       const Context& context);
 
 }  // namespace s2b

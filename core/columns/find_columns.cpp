@@ -23,9 +23,9 @@ struct Spot
 {
     Eigen::Vector2d position = Eigen::Vector2d::Zero();
     Eigen::Vector2d normal = Eigen::Vector2d::Zero();
-    double weight = 0;        ///< cells above each other
+    double weight = 0;  ///< cells above each other
     std::uint64_t points = 0;
-    std::uint64_t rows = 0;   ///< bit r: something was seen at that height above the floor
+    std::uint64_t rows = 0;  ///< bit r: something was seen at that height above the floor
 };
 
 bool isInWall(const Eigen::Vector2d& p, const std::vector<Wall>& walls)
@@ -41,18 +41,20 @@ bool isInWall(const Eigen::Vector2d& p, const std::vector<Wall>& walls)
                        });
 }
 
-std::vector<Spot> spotsOf(const SurfaceCells& cells, const Level& level, const std::vector<Wall>& walls, const ColumnParams& params)
+std::vector<Spot> spotsOf(const SurfaceCells& cells, const Level& level, const std::vector<Wall>& walls,
+                          const ColumnParams& params)
 {
     const double margin = std::min(params.sliceMargin_m, 0.25 * (level.ceiling_m - level.floor_m));
     std::map<std::pair<int, int>, Spot> spots;
     for (const SurfaceCell& c : cells.cells)
     {
         const double z = static_cast<double>(c.position.z());
-        if (c.normal.isZero() || std::abs(c.normal.z()) > 0.4f || z < level.floor_m + margin || z > level.ceiling_m - margin ||
-            (cells.hasLabels && c.label != Label::Column))
+        if (c.normal.isZero() || std::abs(c.normal.z()) > 0.4f || z < level.floor_m + margin ||
+            z > level.ceiling_m - margin || (cells.hasLabels && c.label != Label::Column))
             continue;
         const Eigen::Vector2d p = c.position.head<2>().cast<double>();
-        Spot& s = spots[{static_cast<int>(std::floor(p.x() / cells.size_m)), static_cast<int>(std::floor(p.y() / cells.size_m))}];
+        Spot& s = spots[{static_cast<int>(std::floor(p.x() / cells.size_m)),
+                         static_cast<int>(std::floor(p.y() / cells.size_m))}];
         s.position += p;
         s.weight += 1;
         s.points += c.count;
@@ -124,7 +126,8 @@ CircleOptions circleOptions(const ColumnParams& params, const Context& context)
 void fitRectangle(Candidate& c)
 {
     // Along the building's axes unless another direction is clearly tighter.
-    const OrientedRectangle tight = minimumRectangle(c.points), straight = rectangleAlong(c.points, Eigen::Vector2d::UnitX());
+    const OrientedRectangle tight = minimumRectangle(c.points),
+                            straight = rectangleAlong(c.points, Eigen::Vector2d::UnitX());
     if (tight.area() > 0 && tight.area() < 0.85 * straight.area())
         c.x = tight.axis;
     const Eigen::Vector2d y(-c.x.y(), c.x.x());
@@ -170,15 +173,16 @@ bool isFullHeight(const std::vector<Spot>& spots, const Level& level, const Colu
     for (const Spot& s : spots)
         rows |= s.rows;
     const double margin = std::min(params.sliceMargin_m, 0.25 * (level.ceiling_m - level.floor_m));
-    const int first = static_cast<int>(std::ceil(margin / kRow_m)) + 1, last = std::min(63, static_cast<int>((level.ceiling_m - level.floor_m - margin) / kRow_m) - 1);
+    const int first = static_cast<int>(std::ceil(margin / kRow_m)) + 1,
+              last = std::min(63, static_cast<int>((level.ceiling_m - level.floor_m - margin) / kRow_m) - 1);
     int seen = 0;
     for (int r = first; r <= last; ++r)
         seen += static_cast<int>(rows >> r & 1);
     return last > first && seen >= 0.8 * (last - first + 1) && (rows >> (last - 1)) != 0;
 }
 
-std::vector<Candidate> candidatesOf(const SurfaceCells& cells, const Level& level, const std::vector<Wall>& walls, const ColumnParams& params,
-                                    const Context& context)
+std::vector<Candidate> candidatesOf(const SurfaceCells& cells, const Level& level, const std::vector<Wall>& walls,
+                                    const ColumnParams& params, const Context& context)
 {
     const std::vector<Spot> spots = spotsOf(cells, level, walls, params);
     std::vector<Eigen::Vector2d> positions;
@@ -238,8 +242,8 @@ void shareRadius(std::vector<Candidate>& candidates, const ColumnParams& params,
 
 }  // namespace
 
-ColumnResult findColumns(const SurfaceCells& cells, const Level& level, const std::vector<Wall>& walls, ElementId storey,
-                         std::uint32_t& nextId, const ColumnParams& params, const Context& context)
+ColumnResult findColumns(const SurfaceCells& cells, const Level& level, const std::vector<Wall>& walls,
+                         ElementId storey, std::uint32_t& nextId, const ColumnParams& params, const Context& context)
 {
     ColumnResult result;
     std::vector<Candidate> candidates = candidatesOf(cells, level, walls, params, context);
@@ -249,7 +253,8 @@ ColumnResult findColumns(const SurfaceCells& cells, const Level& level, const st
         Column c;
         c.storey = storey;
         c.base_m = level.floor_m;
-        c.height = {level.ceiling_m - level.floor_m, level.ceilingSeen ? Provenance::Measured : Provenance::Assumed, 0.0};
+        c.height = {level.ceiling_m - level.floor_m, level.ceilingSeen ? Provenance::Measured : Provenance::Assumed,
+                    0.0};
         if (k.isRound)
         {
             c.center = k.circle->center;
@@ -270,8 +275,11 @@ ColumnResult findColumns(const SurfaceCells& cells, const Level& level, const st
         if (largest > params.maximumSize_m || smallest < params.minimumSize_m || isSlender)
         {
             if (cells.hasLabels)
-                result.diagnostics.push_back({Severity::Warning, "columns", "SizeOutOfRange",
-                                              "Points labelled column form no column of a permitted size.", {},
+                result.diagnostics.push_back({Severity::Warning,
+                                              "columns",
+                                              "SizeOutOfRange",
+                                              "Points labelled column form no column of a permitted size.",
+                                              {},
                                               Eigen::Vector3d(c.center.x(), c.center.y(), level.floor_m)});
             continue;
         }

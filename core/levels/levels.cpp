@@ -12,9 +12,9 @@ namespace s2b
 namespace
 {
 
-constexpr double kColumn_m = 0.10;   // edge of the plan columns in which floors meet their ceilings, at least
-constexpr double kSlab_m = 0.8;      // thickest slab with its finishes
-constexpr double kMergeZ_m = 0.06;   // surfaces closer than this in one column are one
+constexpr double kColumn_m = 0.10;  // edge of the plan columns in which floors meet their ceilings, at least
+constexpr double kSlab_m = 0.8;     // thickest slab with its finishes
+constexpr double kMergeZ_m = 0.06;  // surfaces closer than this in one column are one
 
 /// A horizontal (or, looking up, sloped) surface in one plan column.
 struct Surface
@@ -33,10 +33,16 @@ struct Pair
     bool ceilingLevel = false;
 };
 
-bool sameColumn(const Surface& a, const Surface& b) { return a.x == b.x && a.y == b.y; }
+bool sameColumn(const Surface& a, const Surface& b)
+{
+    return a.x == b.x && a.y == b.y;
+}
 
 /// Wide enough for a few cells of each surface, in sparse clouds too.
-double columnEdge(const SurfaceCells& cells) { return std::max(kColumn_m, 2.5 * cells.size_m); }
+double columnEdge(const SurfaceCells& cells)
+{
+    return std::max(kColumn_m, 2.5 * cells.size_m);
+}
 
 std::vector<Surface> surfacesByColumn(const SurfaceCells& cells)
 {
@@ -95,7 +101,9 @@ class HeightHistogram
 {
 public:
     HeightHistogram(double low, double high, double bin)
-        : m_low(low), m_bin(bin), m_area(static_cast<std::size_t>(std::max(1.0, std::ceil((high - low) / bin) + 3)), 0.0)
+        : m_low(low),
+          m_bin(bin),
+          m_area(static_cast<std::size_t>(std::max(1.0, std::ceil((high - low) / bin) + 3)), 0.0)
     {
     }
     void add(double z, double area)
@@ -157,7 +165,8 @@ std::vector<Peak> peaksOf(const HeightHistogram& histogram, double apart)
     for (std::size_t i = 0; i < s.size(); ++i)
         if (s[i] > 0)
             all.push_back({histogram.z(i), s[i]});
-    std::sort(all.begin(), all.end(), [](const Peak& a, const Peak& b) { return std::tie(b.area, a.z) < std::tie(a.area, b.z); });
+    std::sort(all.begin(), all.end(),
+              [](const Peak& a, const Peak& b) { return std::tie(b.area, a.z) < std::tie(a.area, b.z); });
     std::vector<Peak> peaks;
     for (const Peak& p : all)
         if (std::none_of(peaks.begin(), peaks.end(), [&](const Peak& q) { return std::abs(p.z - q.z) < apart; }))
@@ -189,8 +198,13 @@ LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, con
     context.checkCancelled();
     if (surfaces.empty())
     {
-        result.diagnostics.push_back({Severity::Error, "levels", "NoHorizontalSurface",
-                                      "No horizontal surface was found, so there are no storeys: is the cloud's Z axis up?", {}, {}});
+        result.diagnostics.push_back(
+            {Severity::Error,
+             "levels",
+             "NoHorizontalSurface",
+             "No horizontal surface was found, so there are no storeys: is the cloud's Z axis up?",
+             {},
+             {}});
         return result;
     }
     double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -208,16 +222,17 @@ LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, con
         if (!s.isLevel || !s.maybeFloor)
             continue;
         // A slab's underside: right above it is a surface with room above that.
-        if (i + 2 < surfaces.size() && sameColumn(surfaces[i + 1], s) && surfaces[i + 1].isLevel && surfaces[i + 1].z - s.z < kSlab_m &&
-            sameColumn(surfaces[i + 2], s) && surfaces[i + 2].z - surfaces[i + 1].z >= params.minimumRoomHeight_m)
+        if (i + 2 < surfaces.size() && sameColumn(surfaces[i + 1], s) && surfaces[i + 1].isLevel &&
+            surfaces[i + 1].z - s.z < kSlab_m && sameColumn(surfaces[i + 2], s) &&
+            surfaces[i + 2].z - surfaces[i + 1].z >= params.minimumRoomHeight_m)
             continue;
         // The next surface that may be a ceiling (furniture above the floor is not one).
         std::size_t j = i + 1;
         while (j < surfaces.size() && sameColumn(surfaces[j], s) &&
                (surfaces[j].z - s.z < params.minimumRoomHeight_m || !surfaces[j].maybeCeiling))
             ++j;
-        const bool covered = j < surfaces.size() && sameColumn(surfaces[j], s) &&
-                             surfaces[j].z - s.z <= params.maximumRoomHeight_m;
+        const bool covered =
+            j < surfaces.size() && sameColumn(surfaces[j], s) && surfaces[j].z - s.z <= params.maximumRoomHeight_m;
         if (covered)
         {
             floors.add(s.z, columnArea);
@@ -228,8 +243,8 @@ LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, con
         floorHeights.push_back(s.z);
     }
 
-    // A floor lies under a ceiling for the most part; terrain does so only under trees and eaves. Of two floors close to
-    // each other the covered one counts.
+    // A floor lies under a ceiling for the most part; terrain does so only under trees and eaves. Of two floors close
+    // to each other the covered one counts.
     std::vector<Peak> peaks = peaksOf(floors, 0.12);
     if (!cells.hasLabels)
         std::erase_if(peaks, [&](const Peak& p) { return p.area < 0.3 * (p.area + openFloors.areaNear(p.z, 0.05)); });
@@ -243,16 +258,24 @@ LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, con
     const double largestPaired = peaks.empty() ? 0.0 : peaks.front().area;
     for (const Peak& p : openPeaks)
         if ((cells.hasLabels || largestPaired < params.minimumArea_m2) && p.area >= params.minimumArea_m2 &&
-            std::none_of(peaks.begin(), peaks.end(), [&](const Peak& q) { return std::abs(p.z - q.z) < 0.5 && q.area > 0.3 * p.area; }))
+            std::none_of(peaks.begin(), peaks.end(),
+                         [&](const Peak& q) { return std::abs(p.z - q.z) < 0.5 && q.area > 0.3 * p.area; }))
             peaks.push_back(p);
     if (peaks.empty())
     {
-        result.diagnostics.push_back({Severity::Error, "levels", "NoFloor",
-                                      "No floor was found under a ceiling, so there are no storeys.", {}, {}});
+        result.diagnostics.push_back({Severity::Error,
+                                      "levels",
+                                      "NoFloor",
+                                      "No floor was found under a ceiling, so there are no storeys.",
+                                      {},
+                                      {}});
         return result;
     }
-    const double largest = std::max_element(peaks.begin(), peaks.end(), [](const Peak& a, const Peak& b) { return a.area < b.area; })->area;
-    std::erase_if(peaks, [&](const Peak& p) { return p.area < params.minimumArea_m2 || p.area < params.minimumAreaShare * largest; });
+    const double largest =
+        std::max_element(peaks.begin(), peaks.end(), [](const Peak& a, const Peak& b) { return a.area < b.area; })
+            ->area;
+    std::erase_if(peaks, [&](const Peak& p)
+                  { return p.area < params.minimumArea_m2 || p.area < params.minimumAreaShare * largest; });
     std::sort(peaks.begin(), peaks.end(), [](const Peak& a, const Peak& b) { return a.z < b.z; });
 
     for (const Peak& p : peaks)
@@ -281,13 +304,14 @@ LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, con
         }
         else
             level.ceiling_m = slopedTop;  // settled below, when the next floor is known
-        // What the level below has as its ceiling is no floor; nor is what stands in its room, unless it is a large part
-        // of the plan (a mezzanine, a half-level) and not furniture.
+        // What the level below has as its ceiling is no floor; nor is what stands in its room, unless it is a large
+        // part of the plan (a mezzanine, a half-level) and not furniture.
         if (!result.levels.empty())
         {
             const Level& below = result.levels.back();
             const bool isItsCeiling = below.ceilingSeen && std::abs(level.floor_m - below.ceiling_m) < 0.06;
-            const bool standsInIt = level.floor_m < below.ceiling_m - 0.1 && level.floor_m - below.floor_m < params.minimumRoomHeight_m;
+            const bool standsInIt =
+                level.floor_m < below.ceiling_m - 0.1 && level.floor_m - below.floor_m < params.minimumRoomHeight_m;
             if (isItsCeiling || (standsInIt && level.floorArea_m2 < 0.4 * below.floorArea_m2))
                 continue;
         }
@@ -298,13 +322,17 @@ LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, con
         Level& level = result.levels[i];
         if (level.ceilingSeen)
             continue;
-        const double limit = i + 1 < result.levels.size() ? result.levels[i + 1].floor_m
-                                                           : level.floor_m + params.maximumRoomHeight_m;
+        const double limit =
+            i + 1 < result.levels.size() ? result.levels[i + 1].floor_m : level.floor_m + params.maximumRoomHeight_m;
         if (!std::isfinite(level.ceiling_m) || level.ceiling_m > limit)
             level.ceiling_m = topOfVerticalSurfaces(cells, level.floor_m, limit);
-        result.diagnostics.push_back({Severity::Warning, "levels", "CeilingNotLevel",
-                                      "No level ceiling was found above this floor; the walls' own tops give its height.",
-                                      {}, Eigen::Vector3d(0, 0, level.floor_m)});
+        result.diagnostics.push_back(
+            {Severity::Warning,
+             "levels",
+             "CeilingNotLevel",
+             "No level ceiling was found above this floor; the walls' own tops give its height.",
+             {},
+             Eigen::Vector3d(0, 0, level.floor_m)});
     }
     return result;
 }

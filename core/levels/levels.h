@@ -12,11 +12,11 @@ namespace s2b
 
 struct LevelParams
 {
-    double binSize_m = 0.02;            ///< of the height histogram
-    double minimumRoomHeight_m = 1.9;   ///< D3.6, 3.3: floor and ceiling are told apart by it
-    double maximumRoomHeight_m = 6.0;   ///< D3.6, 3.3
-    double minimumArea_m2 = 4.0;        ///< of a level's surface
-    double minimumAreaShare = 0.12;     ///< of a level's surface, relative to the largest level's
+    double binSize_m = 0.02;           ///< of the height histogram
+    double minimumRoomHeight_m = 1.9;  ///< D3.6, 3.3: floor and ceiling are told apart by it
+    double maximumRoomHeight_m = 6.0;  ///< D3.6, 3.3
+    double minimumArea_m2 = 4.0;       ///< of a level's surface
+    double minimumAreaShare = 0.12;    ///< of a level's surface, relative to the largest level's
     bool operator==(const LevelParams&) const = default;
 };
 
@@ -25,8 +25,8 @@ struct Level
 {
     double floor_m = 0.0;
     double ceiling_m = 0.0;
-    bool ceilingSeen = false;  ///< false: no level ceiling was found (sloped, or not scanned); ceiling_m is then the top
-                               ///< of the vertical surfaces or the next floor
+    bool ceilingSeen = false;  ///< false: no level ceiling was found (sloped, or not scanned); ceiling_m is then the
+                               ///< top of the vertical surfaces or the next floor
     double floorArea_m2 = 0.0;
     double ceilingArea_m2 = 0.0;
     double floorRms_m = 0.0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The reconstructed building: what the stages produce, and what the IFC writer, CloudCompare's tree and the metrics read.
+/// The reconstructed building: what the stages produce, and what the IFC writer, CloudCompare's tree and the metrics
+/// read.
 ///
 /// Conventions (docs/conventions.md): metres, radians, Z up. Elements are in the *building frame*: axes along the
 /// dominant wall directions, z = 0 at the lowest storey's floor. Building::frame takes them to the world of the input.
@@ -43,11 +44,12 @@ struct ElementId
 /// What the points say of an element.
 struct Evidence
 {
-    std::uint64_t points = 0;                ///< input points on its faces
-    std::array<double, 2> faceCoverage{};    ///< [0, 1] share of the left and right face (seen from start to end) with points
-    int facesSeen = 0;                       ///< 0, 1 or 2
-    double rms_m = 0.0;                      ///< RMS distance of those points to the element's faces
-    double labelShare = 0.0;                 ///< [0, 1] share of those points whose label is the element's class; 0 without labels
+    std::uint64_t points = 0;  ///< input points on its faces
+    std::array<double, 2>
+        faceCoverage{};       ///< [0, 1] share of the left and right face (seen from start to end) with points
+    int facesSeen = 0;        ///< 0, 1 or 2
+    double rms_m = 0.0;       ///< RMS distance of those points to the element's faces
+    double labelShare = 0.0;  ///< [0, 1] share of those points whose label is the element's class; 0 without labels
 };
 
 /// The rigid transform between building frame and world: world = origin + Rz(yaw) * building.
@@ -92,13 +94,15 @@ struct Wall
     ElementId storey;
     Eigen::Vector2d start = Eigen::Vector2d::Zero();
     Eigen::Vector2d end = Eigen::Vector2d::Zero();
-    double bulge = 0.0;        ///< 0: straight. Else tan(sweep / 4) of the arc from start to end, > 0 counter-clockwise (as DXF)
+    double bulge =
+        0.0;  ///< 0: straight. Else tan(sweep / 4) of the arc from start to end, > 0 counter-clockwise (as DXF)
     double bodyStart_m = 0.0;
     double bodyEnd_m = 0.0;
-    double base_m = 0.0;       ///< z of the lower edge
+    double base_m = 0.0;  ///< z of the lower edge
     Dimension height;
     Dimension thickness;
-    std::vector<Eigen::Vector2d> topProfile;  ///< empty: level top. Else (s along the axis, z) of the top edge, s ascending (gables)
+    std::vector<Eigen::Vector2d>
+        topProfile;  ///< empty: level top. Else (s along the axis, z) of the top edge, s ascending (gables)
     bool isExternal = false;
     bool isExternalKnown = false;  ///< false: neither side says it, and nothing is claimed
     Evidence evidence;
@@ -132,16 +136,16 @@ enum class LeafState
 struct Opening
 {
     ElementId id;
-    ElementId host;            ///< Wall
+    ElementId host;  ///< Wall
     OpeningKind kind = OpeningKind::Plain;
-    double offset_m = 0.0;     ///< of its lower-left corner along the host's axis from the axis' start (arc length)
+    double offset_m = 0.0;  ///< of its lower-left corner along the host's axis from the axis' start (arc length)
     Dimension width;
     Dimension height;
-    Dimension sill;            ///< above the host's base
-    int leaves = 0;            ///< door leaves; 0 unknown
+    Dimension sill;  ///< above the host's base
+    int leaves = 0;  ///< door leaves; 0 unknown
     LeafState leafState = LeafState::Unknown;
-    bool hingeAtStart = false;     ///< of a single leaf, only when leafState is Open
-    bool opensToLeft = false;      ///< the leaf stands on the wall's left side, only when leafState is Open
+    bool hingeAtStart = false;  ///< of a single leaf, only when leafState is Open
+    bool opensToLeft = false;   ///< the leaf stands on the wall's left side, only when leafState is Open
     Evidence evidence;
 };
 
@@ -224,10 +228,10 @@ enum class Severity
 struct Diagnostic
 {
     Severity severity = Severity::Info;
-    std::string stage;     ///< "levels", "walls" ...
-    std::string code;      ///< "ThicknessAssumed" ...; stable, documented
-    std::string text;      ///< one sentence for people
-    ElementId element;     ///< 0 when there is none
+    std::string stage;                                   ///< "levels", "walls" ...
+    std::string code;                                    ///< "ThicknessAssumed" ...; stable, documented
+    std::string text;                                    ///< one sentence for people
+    ElementId element;                                   ///< 0 when there is none
     Eigen::Vector3d location = Eigen::Vector3d::Zero();  ///< building frame
 };
 

@@ -54,7 +54,10 @@ void findLeaf(Opening& o, const WallView& view, const Hole& hole)
         o.hingeAtStart = o.opensToLeft = false;
 }
 
-bool isDoorSize(const Hole& h) { return h.width() > 0.55 && h.width() < 1.35 && h.top > 1.85 && h.top < 2.45; }
+bool isDoorSize(const Hole& h)
+{
+    return h.width() > 0.55 && h.width() < 1.35 && h.top > 1.85 && h.top < 2.45;
+}
 
 Opening openingOf(const Hole& h, OpeningKind kind, const Wall& wall)
 {
@@ -73,9 +76,9 @@ Opening openingOf(const Hole& h, OpeningKind kind, const Wall& wall)
 
 }  // namespace
 
-OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, const Level& level, const std::vector<Wall>& walls,
-                           const std::set<OpeningKind>& kinds, std::uint32_t& nextId, const OpeningParams& params,
-                           const Context& context)
+OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, const Level& level,
+                           const std::vector<Wall>& walls, const std::set<OpeningKind>& kinds, std::uint32_t& nextId,
+                           const OpeningParams& params, const Context& context)
 {
     OpeningResult result;
     const PlanMask mask(cells, level);
@@ -84,7 +87,10 @@ OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, co
     {
         Opening opening;
         const Wall* wall;
-        [[nodiscard]] Eigen::Vector2d centre() const { return wall->start + wall->direction() * (opening.offset_m + opening.width.value_m / 2); }
+        [[nodiscard]] Eigen::Vector2d centre() const
+        {
+            return wall->start + wall->direction() * (opening.offset_m + opening.width.value_m / 2);
+        }
     };
     std::vector<Candidate> candidates;
     for (const Wall& wall : walls)
@@ -110,7 +116,8 @@ OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, co
         };
         if (cells.hasLabels)
         {
-            const double doorRadius = std::max(params.clusterRadius_m, 2.5 * cells.size_m), windowRadius = std::max(0.05, 2.0 * cells.size_m);
+            const double doorRadius = std::max(params.clusterRadius_m, 2.5 * cells.size_m),
+                         windowRadius = std::max(0.05, 2.0 * cells.size_m);
             for (const Hole& h : labelledHoles(view, OpeningKind::Door, doorRadius, params.maximumDoorWidth_m))
                 if (h.width() >= params.minimumDoorWidth_m && h.top >= params.minimumDoorHeight_m)
                     add({h.begin, h.end, 0.0, h.top, h.points, h.labelShare, h.sides, h.head}, OpeningKind::Door);
@@ -123,9 +130,11 @@ OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, co
         const auto floorSeen = [&](double from, double to)
         {
             const double inset = std::min(0.02, view.half_m / 3);
-            return mask.share(wall.start + t * from, wall.start + t * to, -view.half_m + inset, view.half_m - inset, PlanMask::Floor);
+            return mask.share(wall.start + t * from, wall.start + t * to, -view.half_m + inset, view.half_m - inset,
+                              PlanMask::Floor);
         };
-        for (const Hole& h : voidsFromFloor(view, taken, floorSeen, params.minimumDoorWidth_m, params.maximumDoorWidth_m, params.minimumDoorHeight_m))
+        for (const Hole& h : voidsFromFloor(view, taken, floorSeen, params.minimumDoorWidth_m,
+                                            params.maximumDoorWidth_m, params.minimumDoorHeight_m))
         {
             if (std::any_of(taken.begin(), taken.end(), [&](const Hole& k) { return k.overlaps(h); }))
                 continue;
@@ -134,28 +143,41 @@ OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, co
             add(h, leaf.leafState == LeafState::Open || isDoorSize(h) ? OpeningKind::Door : OpeningKind::Plain);
         }
         if (!cells.hasLabels)
-            for (const Hole& h : recessedHoles(view, taken, params.minimumWindowWidth_m, params.maximumDoorWidth_m + 2.0, params.minimumWindowHeight_m))
+            for (const Hole& h : recessedHoles(view, taken, params.minimumWindowWidth_m,
+                                               params.maximumDoorWidth_m + 2.0, params.minimumWindowHeight_m))
                 if (std::none_of(taken.begin(), taken.end(), [&](const Hole& k) { return k.overlaps(h); }))
-                    add(h, h.bottom < 0.15 && h.top > 1.85 && h.top < 2.45 && h.width() < 2.2 && h.width() > params.minimumDoorWidth_m
+                    add(h, h.bottom < 0.15 && h.top > 1.85 && h.top < 2.45 && h.width() < 2.2 &&
+                                   h.width() > params.minimumDoorWidth_m
                                ? OpeningKind::Door
                                : OpeningKind::Window);
     }
     // One hole belongs to one wall: where two claim the same place, the one with more points has it.
-    std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.opening.evidence.points > b.opening.evidence.points; });
+    std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b)
+                     { return a.opening.evidence.points > b.opening.evidence.points; });
     std::vector<Candidate> kept;
     for (const Candidate& c : candidates)
-        if (std::none_of(kept.begin(), kept.end(), [&](const Candidate& k)
-                         { return k.wall != c.wall && (k.centre() - c.centre()).norm() < 0.5 * std::max(k.opening.width.value_m, c.opening.width.value_m); }))
+        if (std::none_of(kept.begin(), kept.end(),
+                         [&](const Candidate& k)
+                         {
+                             return k.wall != c.wall &&
+                                    (k.centre() - c.centre()).norm() <
+                                        0.5 * std::max(k.opening.width.value_m, c.opening.width.value_m);
+                         }))
             kept.push_back(c);
-    std::sort(kept.begin(), kept.end(), [](const Candidate& a, const Candidate& b)
-              { return std::tie(a.opening.host, a.opening.offset_m, a.opening.sill.value_m) < std::tie(b.opening.host, b.opening.offset_m, b.opening.sill.value_m); });
+    std::sort(kept.begin(), kept.end(),
+              [](const Candidate& a, const Candidate& b)
+              {
+                  return std::tie(a.opening.host, a.opening.offset_m, a.opening.sill.value_m) <
+                         std::tie(b.opening.host, b.opening.offset_m, b.opening.sill.value_m);
+              });
     for (Candidate& c : kept)
     {
         c.opening.id = ElementId{nextId++};
         if (c.opening.leafState == LeafState::Removed)
-            result.diagnostics.push_back({Severity::Info, "doors", "NoLeafSeen",
-                                          "The opening has a door's size but no leaf or frame was seen; it is modelled as a door.", c.opening.id,
-                                          Eigen::Vector3d(c.centre().x(), c.centre().y(), level.floor_m)});
+            result.diagnostics.push_back(
+                {Severity::Info, "doors", "NoLeafSeen",
+                 "The opening has a door's size but no leaf or frame was seen; it is modelled as a door.", c.opening.id,
+                 Eigen::Vector3d(c.centre().x(), c.centre().y(), level.floor_m)});
         result.openings.push_back(c.opening);
     }
     return result;

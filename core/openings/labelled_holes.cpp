@@ -30,13 +30,15 @@ void join(Hole& a, const Hole& b)
 double wallShare(const WallView& view, double begin, double end, double bottom, double top)
 {
     const double step = 2 * std::max(0.04, view.cell_m);
-    const int columns = std::max(1, static_cast<int>((end - begin) / step)), rows = std::max(1, static_cast<int>((top - bottom) / step));
+    const int columns = std::max(1, static_cast<int>((end - begin) / step)),
+              rows = std::max(1, static_cast<int>((top - bottom) / step));
     std::vector<char> covered(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0);
     for (const WallPoint& p : view.points)
     {
         if (p.label != Label::Wall || std::abs(std::abs(p.d) - view.half_m) > 0.04)
             continue;
-        const int x = static_cast<int>(std::floor((p.s - begin) / (end - begin) * columns)), y = static_cast<int>(std::floor((p.z - bottom) / (top - bottom) * rows));
+        const int x = static_cast<int>(std::floor((p.s - begin) / (end - begin) * columns)),
+                  y = static_cast<int>(std::floor((p.z - bottom) / (top - bottom) * rows));
         if (x >= 0 && x < columns && y >= 0 && y < rows)
             covered[static_cast<std::size_t>(x) + static_cast<std::size_t>(columns) * static_cast<std::size_t>(y)] = 1;
     }
@@ -45,7 +47,8 @@ double wallShare(const WallView& view, double begin, double end, double bottom, 
 
 }  // namespace
 
-std::vector<Hole> labelledHoles(const WallView& view, OpeningKind kind, double clusterRadius_m, double maximumDoorWidth_m)
+std::vector<Hole> labelledHoles(const WallView& view, OpeningKind kind, double clusterRadius_m,
+                                double maximumDoorWidth_m)
 {
     const Label label = kind == OpeningKind::Door ? Label::Door : Label::Window;
     // Strictly inside the body: a lining on the face or a leaf beside it is no part of the hole. On a side that was not
@@ -54,7 +57,8 @@ std::vector<Hole> labelledHoles(const WallView& view, OpeningKind kind, double c
     std::vector<const WallPoint*> inside;
     std::vector<Eigen::Vector2d> plane;
     for (const WallPoint& p : view.points)
-        if (p.label == label && p.d < view.half_m + (view.leftSeen ? -inset : beyond) && p.d > -view.half_m - (view.rightSeen ? -inset : beyond))
+        if (p.label == label && p.d < view.half_m + (view.leftSeen ? -inset : beyond) &&
+            p.d > -view.half_m - (view.rightSeen ? -inset : beyond))
         {
             inside.push_back(&p);
             plane.emplace_back(p.s, p.z);
@@ -83,7 +87,8 @@ std::vector<Hole> labelledHoles(const WallView& view, OpeningKind kind, double c
     for (bool changed = true; changed;)
     {
         changed = false;
-        std::sort(holes.begin(), holes.end(), [](const Hole& a, const Hole& b) { return std::tie(a.begin, a.bottom) < std::tie(b.begin, b.bottom); });
+        std::sort(holes.begin(), holes.end(), [](const Hole& a, const Hole& b)
+                  { return std::tie(a.begin, a.bottom) < std::tie(b.begin, b.bottom); });
         for (std::size_t i = 0; i < holes.size() && !changed; ++i)
             for (std::size_t j = i + 1; j < holes.size() && !changed; ++j)
             {

@@ -16,8 +16,8 @@ namespace s2b
 /// Doors, windows and plain openings (D3.6, 3.5).
 struct OpeningParams
 {
-    double searchMargin_m = 0.10;      ///< D3.6, 3.5: first step, inside the wall's box
-    double clusterRadius_m = 0.10;     ///< D3.6, 3.5: DBSCAN radius
+    double searchMargin_m = 0.10;   ///< D3.6, 3.5: first step, inside the wall's box
+    double clusterRadius_m = 0.10;  ///< D3.6, 3.5: DBSCAN radius
     double minimumDoorWidth_m = 0.50;
     double maximumDoorWidth_m = 4.0;
     double minimumDoorHeight_m = 1.6;
@@ -35,9 +35,10 @@ struct OpeningResult
 /// Finds the doors, windows and plain openings of one storey in its walls (D3.6, 3.5).
 ///
 /// Two ways, the first wins where both see a hole:
-/// - From labels, in D3.6's two steps: points inside a wall's body say that it hosts a door or window, and give its outline
-///   (leaves stand open outside it, linings lie on the faces: neither is the hole); only then the points around the wall are
-///   looked at, for the leaf.
+/// - From labels, in D3.6's two steps: points inside a wall's body say that it hosts a door or window, and give its
+/// outline
+///   (leaves stand open outside it, linings lie on the faces: neither is the hole); only then the points around the
+///   wall are looked at, for the leaf.
 /// - From the void in the wall's faces, where the floor runs through or jambs were seen: an open or removed leaf leaves
 ///   nothing else (D3.6, 3.5, leaves these out). Nothing seen is not open.
 /// @param index  of the storey's cells

@@ -38,7 +38,8 @@ Raster rasterOf(const WallView& view, bool left, const std::vector<Hole>& taken)
     const double otherBeyond = (left ? view.rightSeen : view.leftSeen) ? 0.03 : 0.15;
     for (const WallPoint& p : view.points)
     {
-        const int x = static_cast<int>(std::floor((p.s - r.begin) / r.step)), y = static_cast<int>(std::floor(p.z / r.step));
+        const int x = static_cast<int>(std::floor((p.s - r.begin) / r.step)),
+                  y = static_cast<int>(std::floor(p.z / r.step));
         if (x < 0 || x >= r.columns || y < 0 || y >= r.rows)
             continue;
         const double depth = left ? view.half_m - p.d : p.d + view.half_m;
@@ -50,7 +51,8 @@ Raster rasterOf(const WallView& view, bool left, const std::vector<Hole>& taken)
     for (const Hole& h : taken)
         for (int x = 0; x < r.columns; ++x)
             for (int y = 0; y < r.rows; ++y)
-                if (const double s = r.begin + (x + 0.5) * r.step, z = (y + 0.5) * r.step; s > h.begin && s < h.end && z > h.bottom && z < h.top)
+                if (const double s = r.begin + (x + 0.5) * r.step, z = (y + 0.5) * r.step;
+                    s > h.begin && s < h.end && z > h.bottom && z < h.top)
                     r.face[r.at(x, y)] = 1;
     // Single squares missed between points are no holes.
     const std::vector<char> once = r.face;
@@ -58,7 +60,10 @@ Raster rasterOf(const WallView& view, bool left, const std::vector<Hole>& taken)
         for (int x = 0; x < r.columns; ++x)
         {
             const auto seen = [&](int dx, int dy)
-            { return x + dx < 0 || x + dx >= r.columns || y + dy < 0 || y + dy >= r.rows || once[r.at(x + dx, y + dy)]; };
+            {
+                return x + dx < 0 || x + dx >= r.columns || y + dy < 0 || y + dy >= r.rows ||
+                       once[r.at(x + dx, y + dy)];
+            };
             if ((seen(-1, 0) && seen(1, 0)) || (seen(0, -1) && seen(0, 1)))
                 r.face[r.at(x, y)] = 1;
         }
@@ -138,8 +143,8 @@ double edgeShare(const Raster& r, const Region& g, int side)
 
 }  // namespace
 
-std::vector<Hole> recessedHoles(const WallView& view, const std::vector<Hole>& taken, double minimumWidth_m, double maximumWidth_m,
-                                double minimumHeight_m)
+std::vector<Hole> recessedHoles(const WallView& view, const std::vector<Hole>& taken, double minimumWidth_m,
+                                double maximumWidth_m, double minimumHeight_m)
 {
     std::vector<Hole> holes;
     for (const bool left : {true, false})
@@ -153,7 +158,8 @@ std::vector<Hole> recessedHoles(const WallView& view, const std::vector<Hole>& t
         {
             const double width = (g.x1 - g.x0) * r.step, height = (g.y1 - g.y0) * r.step;
             const double fill = static_cast<double>(g.area) / ((g.x1 - g.x0) * (g.y1 - g.y0));
-            if (width < minimumWidth_m || width > maximumWidth_m || height < minimumHeight_m || fill < 0.7 || g.x0 == 0 || g.x1 == r.columns)
+            if (width < minimumWidth_m || width > maximumWidth_m || height < minimumHeight_m || fill < 0.7 ||
+                g.x0 == 0 || g.x1 == r.columns)
                 continue;
             // A shadow has nothing behind it; a hole shows its reveals, frame, pane or leaf, on most of its sides.
             int sides = 0;

@@ -16,16 +16,19 @@ class FaceRaster
 {
 public:
     FaceRaster(const WallView& view, const std::vector<Hole>& taken)
-        : m_step(std::max(0.04, 1.5 * view.cell_m)), m_begin(view.wall->bodyStart_m),
+        : m_step(std::max(0.04, 1.5 * view.cell_m)),
+          m_begin(view.wall->bodyStart_m),
           m_columns(std::max(1, static_cast<int>(std::ceil((view.wall->bodyEnd_m - m_begin) / m_step)))),
           m_rows(std::max(1, static_cast<int>(std::ceil(view.wall->height.value_m / m_step)))),
           m_covered(static_cast<std::size_t>(m_columns) * static_cast<std::size_t>(m_rows), 0)
     {
         for (const WallPoint& p : view.points)
         {
-            if (std::abs(std::abs(p.d) - view.half_m) > 0.03 || p.across < 0.7 || (view.hasLabels && p.label != Label::Wall))
+            if (std::abs(std::abs(p.d) - view.half_m) > 0.03 || p.across < 0.7 ||
+                (view.hasLabels && p.label != Label::Wall))
                 continue;
-            const int x = static_cast<int>(std::floor((p.s - m_begin) / m_step)), y = static_cast<int>(std::floor(p.z / m_step));
+            const int x = static_cast<int>(std::floor((p.s - m_begin) / m_step)),
+                      y = static_cast<int>(std::floor(p.z / m_step));
             if (x >= 0 && x < m_columns && y >= 0 && y < m_rows)
                 m_covered[at(x, y)] = 1;
         }
@@ -71,8 +74,9 @@ bool leafBeside(const WallView& view, const Hole& h)
 
 }  // namespace
 
-std::vector<Hole> voidsFromFloor(const WallView& view, const std::vector<Hole>& taken, const std::function<double(double, double)>& floorSeen,
-                                 double minimumWidth_m, double maximumWidth_m, double minimumHeight_m)
+std::vector<Hole> voidsFromFloor(const WallView& view, const std::vector<Hole>& taken,
+                                 const std::function<double(double, double)>& floorSeen, double minimumWidth_m,
+                                 double maximumWidth_m, double minimumHeight_m)
 {
     std::vector<Hole> holes;
     if (!view.leftSeen && !view.rightSeen)
@@ -96,11 +100,12 @@ std::vector<Hole> voidsFromFloor(const WallView& view, const std::vector<Hole>& 
         h.top = tops[tops.size() / 2];
         c = last + 1;
         // At the wall's ends, where another wall takes over, the faces end as well.
-        if (h.begin < view.wall->bodyStart_m + 0.02 || h.end > view.wall->bodyEnd_m - 0.02 || h.width() < minimumWidth_m - 0.1 ||
-            h.width() > maximumWidth_m + 0.1)
+        if (h.begin < view.wall->bodyStart_m + 0.02 || h.end > view.wall->bodyEnd_m - 0.02 ||
+            h.width() < minimumWidth_m - 0.1 || h.width() > maximumWidth_m + 0.1)
             continue;
         const double low = 0.2, high = h.top - 0.15;
-        const std::optional<double> left = jambNear(view, h.begin, low, high, 0.12), right = jambNear(view, h.end, low, high, 0.12);
+        const std::optional<double> left = jambNear(view, h.begin, low, high, 0.12),
+                                    right = jambNear(view, h.end, low, high, 0.12);
         const std::optional<double> head = headNear(view, h.begin + 0.05, h.end - 0.05, h.top);
         // Open is what was seen through: the floor runs on through the wall, jambs and head show the wall's depth, or a
         // leaf stands beside it. One sign alone may be a shadow.

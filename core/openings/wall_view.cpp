@@ -26,7 +26,8 @@ WallView viewWall(const Wall& wall, const SurfaceCells& cells, const CellIndex& 
                        z > wall.height.value_m + 0.1)
                        return;
                    const Eigen::Vector2d m = c.normal.head<2>().cast<double>();
-                   view.points.push_back({s, d, z, std::abs(t.dot(m)), std::abs(n.dot(m)), std::abs(static_cast<double>(c.normal.z())), c.label, c.count});
+                   view.points.push_back({s, d, z, std::abs(t.dot(m)), std::abs(n.dot(m)),
+                                          std::abs(static_cast<double>(c.normal.z())), c.label, c.count});
                });
     return view;
 }

@@ -13,12 +13,12 @@ namespace s2b
 /// A cell near a wall, in the wall's own coordinates.
 struct WallPoint
 {
-    double s = 0;        ///< along the axis from its start [m]
-    double d = 0;        ///< to the left of it [m]
-    double z = 0;        ///< above the wall's base [m]
-    double along = 0;    ///< |normal . axis direction|
-    double across = 0;   ///< |normal . wall normal|
-    double upward = 0;   ///< |normal . up|
+    double s = 0;       ///< along the axis from its start [m]
+    double d = 0;       ///< to the left of it [m]
+    double z = 0;       ///< above the wall's base [m]
+    double along = 0;   ///< |normal . axis direction|
+    double across = 0;  ///< |normal . wall normal|
+    double upward = 0;  ///< |normal . up|
     Label label = Label::Unassigned;
     std::uint32_t count = 0;
 };
@@ -27,8 +27,8 @@ struct WallPoint
 struct Hole
 {
     double begin = 0, end = 0, bottom = 0, top = 0;
-    std::uint64_t points = 0;   ///< that say so
-    double labelShare = 0;      ///< of them, those with the class's label
+    std::uint64_t points = 0;  ///< that say so
+    double labelShare = 0;     ///< of them, those with the class's label
     Provenance sides = Provenance::Measured, head = Provenance::Measured;
 
     [[nodiscard]] double width() const { return end - begin; }
@@ -43,19 +43,23 @@ struct Hole
 struct WallView
 {
     const Wall* wall = nullptr;
-    double half_m = 0;              ///< of the thickness
+    double half_m = 0;  ///< of the thickness
     bool leftSeen = false, rightSeen = false;
     double cell_m = 0;
     bool hasLabels = false;
     std::vector<WallPoint> points;  ///< within `reach` of the faces
 
-    [[nodiscard]] bool isInBody(const WallPoint& p, double inset) const { return p.d > -half_m + inset && p.d < half_m - inset; }
+    [[nodiscard]] bool isInBody(const WallPoint& p, double inset) const
+    {
+        return p.d > -half_m + inset && p.d < half_m - inset;
+    }
 };
 
 [[nodiscard]] WallView viewWall(const Wall& wall, const SurfaceCells& cells, const CellIndex& index, double reach_m);
 
 /// Holes that labelled points fill (closed leaves, frames, panes): D3.6, 3.5, first step.
-[[nodiscard]] std::vector<Hole> labelledHoles(const WallView& view, OpeningKind kind, double clusterRadius_m, double maximumDoorWidth_m);
+[[nodiscard]] std::vector<Hole> labelledHoles(const WallView& view, OpeningKind kind, double clusterRadius_m,
+                                              double maximumDoorWidth_m);
 
 /// Holes from the floor up, from what is missing in the faces.
 /// @param taken      holes that are known already
@@ -64,9 +68,9 @@ struct WallView
                                                const std::function<double(double, double)>& floorSeen,
                                                double minimumWidth_m, double maximumWidth_m, double minimumHeight_m);
 
-/// Holes from what is missing in one face and was seen behind it, within the wall's depth: windows, closed doors, niches'
-/// openings. Something seen behind the missing face on most of its sides tells a hole from a shadow.
-[[nodiscard]] std::vector<Hole> recessedHoles(const WallView& view, const std::vector<Hole>& taken, double minimumWidth_m,
-                                              double maximumWidth_m, double minimumHeight_m);
+/// Holes from what is missing in one face and was seen behind it, within the wall's depth: windows, closed doors,
+/// niches' openings. Something seen behind the missing face on most of its sides tells a hole from a shadow.
+[[nodiscard]] std::vector<Hole> recessedHoles(const WallView& view, const std::vector<Hole>& taken,
+                                              double minimumWidth_m, double maximumWidth_m, double minimumHeight_m);
 
 }  // namespace s2b

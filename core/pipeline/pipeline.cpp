@@ -28,8 +28,8 @@ void append(std::vector<T>& to, std::vector<T>&& from)
 }
 
 /// Slabs and spaces of all storeys, from their walls.
-void addRooms(const SurfaceCells& cells, const std::vector<Level>& levels, const PipelineOptions& options, std::uint32_t& nextId,
-              Building& building, const Context& context)
+void addRooms(const SurfaceCells& cells, const std::vector<Level>& levels, const PipelineOptions& options,
+              std::uint32_t& nextId, Building& building, const Context& context)
 {
     if (!options.stages.contains(Stage::Slabs) && !options.stages.contains(Stage::Spaces))
         return;
@@ -113,7 +113,8 @@ Building reconstruct(const CloudView& cloud, const PipelineOptions& options, con
         storey.id = ElementId{nextId++};
         storey.name = std::format("Level {}", i);
         storey.elevation_m = level.floor_m;
-        storey.height = {level.ceiling_m - level.floor_m, level.ceilingSeen ? Provenance::Measured : Provenance::Assumed, 0.0};
+        storey.height = {level.ceiling_m - level.floor_m,
+                         level.ceilingSeen ? Provenance::Measured : Provenance::Assumed, 0.0};
         building.storeys.push_back(storey);
     }
 
@@ -130,14 +131,16 @@ Building reconstruct(const CloudView& cloud, const PipelineOptions& options, con
             const CellIndex index(cells, level.floor_m - 0.2, level.ceiling_m + 0.4);
             WallResult walls = findWalls(cells, index, level, storey, nextId, p.walls, context);
             std::set<OpeningKind> kinds;
-            for (const auto& [stage, kind] : {std::pair(Stage::Doors, OpeningKind::Door), std::pair(Stage::Windows, OpeningKind::Window),
-                                              std::pair(Stage::Openings, OpeningKind::Plain)})
+            for (const auto& [stage, kind] :
+                 {std::pair(Stage::Doors, OpeningKind::Door), std::pair(Stage::Windows, OpeningKind::Window),
+                  std::pair(Stage::Openings, OpeningKind::Plain)})
                 if (options.stages.contains(stage))
                     kinds.insert(kind);
             if (!kinds.empty())
             {
                 context.report(std::format("Openings of {}", building.storeys[i].name), stageFraction(0.6));
-                OpeningResult openings = findOpenings(cells, index, level, walls.walls, kinds, nextId, p.openings, context);
+                OpeningResult openings =
+                    findOpenings(cells, index, level, walls.walls, kinds, nextId, p.openings, context);
                 append(building.openings, std::move(openings.openings));
                 append(building.diagnostics, std::move(openings.diagnostics));
             }

@@ -24,7 +24,8 @@ enum class Stage
     Spaces
 };
 
-/// "levels,walls,..." as -STAGES takes it. A stage brings the ones that it needs with it (doors need walls need levels).
+/// "levels,walls,..." as -STAGES takes it. A stage brings the ones that it needs with it (doors need walls need
+/// levels).
 /// @throws Error{BadParameter} that names the known stages.
 [[nodiscard]] std::set<Stage> parseStages(std::string_view list);
 [[nodiscard]] std::set<Stage> allStages();

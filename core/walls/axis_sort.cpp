@@ -27,10 +27,14 @@ double angleOf(const SurfaceCell& c)
     return a < 0 ? a + kPi : (a >= kPi ? a - kPi : a);
 }
 
-double turn(double a, double b) { return std::abs(std::remainder(a - b, kPi)); }
+double turn(double a, double b)
+{
+    return std::abs(std::remainder(a - b, kPi));
+}
 
 /// Peaks of the normals' directions, in the order of their weight; at least `apart` from each other.
-std::vector<double> findDirections(const SurfaceCells& cells, const std::vector<std::uint32_t>& candidates, double apart)
+std::vector<double> findDirections(const SurfaceCells& cells, const std::vector<std::uint32_t>& candidates,
+                                   double apart)
 {
     std::array<double, kBins> histogram{};
     double total = 0;
@@ -48,7 +52,8 @@ std::vector<double> findDirections(const SurfaceCells& cells, const std::vector<
             sum += histogram[(i + kBins + k - 4) % kBins];
         peaks.emplace_back(sum, (static_cast<double>(i) + 0.5) * kPi / kBins);
     }
-    std::sort(peaks.begin(), peaks.end(), [](const auto& a, const auto& b) { return std::tie(b.first, a.second) < std::tie(a.first, b.second); });
+    std::sort(peaks.begin(), peaks.end(),
+              [](const auto& a, const auto& b) { return std::tie(b.first, a.second) < std::tie(a.first, b.second); });
     std::vector<double> directions;
     for (const auto& [weight, angle] : peaks)
         if (weight > 0.004 * total && weight > 0 &&
@@ -97,8 +102,8 @@ std::vector<AxisSet> sortByAxis(const SurfaceCells& cells, const Level& level, c
         entries.push_back({best - 1, static_cast<std::int32_t>(std::floor(static_cast<double>(p.x()) / cells.size_m)),
                            static_cast<std::int32_t>(std::floor(static_cast<double>(p.y()) / cells.size_m)), i});
     }
-    std::sort(entries.begin(), entries.end(),
-              [](const Entry& a, const Entry& b) { return std::tie(a.set, a.y, a.x, a.cell) < std::tie(b.set, b.y, b.x, b.cell); });
+    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b)
+              { return std::tie(a.set, a.y, a.x, a.cell) < std::tie(b.set, b.y, b.x, b.cell); });
     std::vector<AxisSet> sets(directions.size());
     for (std::size_t k = 0; k < directions.size(); ++k)
         sets[k].angle_rad = directions[k];
@@ -108,7 +113,8 @@ std::vector<AxisSet> sortByAxis(const SurfaceCells& cells, const Level& level, c
         PlanPixel pixel;
         Eigen::Vector2d sum = Eigen::Vector2d::Zero(), doubled = Eigen::Vector2d::Zero();
         double points = 0;
-        for (; i < entries.size() && entries[i].set == first.set && entries[i].x == first.x && entries[i].y == first.y; ++i)
+        for (; i < entries.size() && entries[i].set == first.set && entries[i].x == first.x && entries[i].y == first.y;
+             ++i)
         {
             const SurfaceCell& c = cells.cells[entries[i].cell];
             const double w = wallWeight(cells, c), a = 2 * angleOf(c);

@@ -17,7 +17,7 @@ struct PlanPixel
 {
     Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< mean of its cells' points
     Eigen::Vector2d normal = Eigen::Vector2d::UnitX();   ///< mean direction, unit, of undecided sign
-    double weight = 0.0;  ///< cells above each other, wall evidence counted
+    double weight = 0.0;                                 ///< cells above each other, wall evidence counted
 };
 
 /// Plan pixels whose normal belongs to one direction.

@@ -14,18 +14,18 @@ namespace s2b
 /// Points of the face are t * s + n * offset with s in [begin, end]; n is t turned by +90 degrees.
 struct Face
 {
-    static constexpr double kBin_m = 0.05;   ///< along the face
-    static constexpr double kRow_m = 0.10;   ///< upwards, from the storey's floor
+    static constexpr double kBin_m = 0.05;  ///< along the face
+    static constexpr double kRow_m = 0.10;  ///< upwards, from the storey's floor
 
     Eigen::Vector2d t = Eigen::Vector2d::UnitX();
     double offset = 0.0;
     double begin = 0.0;
     double end = 0.0;
-    int side = 0;  ///< +1: the room is on the side that n points to, -1: on the other, 0: unknown
+    int side = 0;               ///< +1: the room is on the side that n points to, -1: on the other, 0: unknown
     bool isBesideRoom = false;  ///< floor or ceiling was seen right beside it, on at least one side
     double rms_m = 0.0;
-    double area_m2 = 0.0;     ///< covered by cells
-    double wallShare = 0.0;   ///< of its cells, those labelled wall
+    double area_m2 = 0.0;    ///< covered by cells
+    double wallShare = 0.0;  ///< of its cells, those labelled wall
     std::uint64_t points = 0;
     std::vector<std::uint64_t> rows;  ///< per bin of [begin, end]: bit r is set when the face has cells at that height
 

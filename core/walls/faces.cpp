@@ -33,7 +33,8 @@ struct Line
 };
 
 /// The offset that most of the pixels that are left agree on (HYSAC), and its weight.
-OffsetConsensus bestOffset(const std::vector<PlanPixel>& pixels, const std::vector<std::uint32_t>& left, const Eigen::Vector2d& n, double tolerance)
+OffsetConsensus bestOffset(const std::vector<PlanPixel>& pixels, const std::vector<std::uint32_t>& left,
+                           const Eigen::Vector2d& n, double tolerance)
 {
     std::vector<double> offsets, weights;
     offsets.reserve(left.size()), weights.reserve(left.size());
@@ -59,7 +60,8 @@ bool refit(const std::vector<PlanPixel>& pixels, const std::vector<std::uint32_t
 }
 
 /// The heaviest run of pixels along the line without a gap wider than `gap`; sets begin and end.
-std::vector<std::uint32_t> heaviestRun(const std::vector<PlanPixel>& pixels, std::vector<std::uint32_t> chosen, double gap, Line& line)
+std::vector<std::uint32_t> heaviestRun(const std::vector<PlanPixel>& pixels, std::vector<std::uint32_t> chosen,
+                                       double gap, Line& line)
 {
     std::vector<std::pair<double, std::uint32_t>> order;
     order.reserve(chosen.size());
@@ -88,14 +90,16 @@ std::vector<std::uint32_t> heaviestRun(const std::vector<PlanPixel>& pixels, std
 
 /// What no plane of the set's direction explains may still be a plane of another (a facet of a curved wall): RANSAC
 /// without the constraint, on the pixels drawn out to vertical lines.
-bool drawLine(const std::vector<PlanPixel>& pixels, const std::vector<std::uint32_t>& left, const WallParams& params, const Context& context, Line& line)
+bool drawLine(const std::vector<PlanPixel>& pixels, const std::vector<std::uint32_t>& left, const WallParams& params,
+              const Context& context, Line& line)
 {
     std::vector<Eigen::Vector3f> points;
     points.reserve(2 * left.size());
     const Eigen::Vector2d origin = pixels[left.front()].position;
     for (const std::uint32_t i : left)
         for (const float z : {0.0f, 1.0f})
-            points.emplace_back(static_cast<float>(pixels[i].position.x() - origin.x()), static_cast<float>(pixels[i].position.y() - origin.y()), z);
+            points.emplace_back(static_cast<float>(pixels[i].position.x() - origin.x()),
+                                static_cast<float>(pixels[i].position.y() - origin.y()), z);
     PlaneOptions options;
     options.tolerance_m = params.planeDistance_m;
     options.seed = context.seed;
@@ -109,8 +113,8 @@ bool drawLine(const std::vector<PlanPixel>& pixels, const std::vector<std::uint3
 }
 
 /// Lines of one instance, the heaviest first.
-std::vector<Line> linesOfInstance(const std::vector<PlanPixel>& pixels, std::vector<std::uint32_t> left, double normalAngle,
-                                  double cell, const WallParams& params, const Context& context)
+std::vector<Line> linesOfInstance(const std::vector<PlanPixel>& pixels, std::vector<std::uint32_t> left,
+                                  double normalAngle, double cell, const WallParams& params, const Context& context)
 {
     std::vector<Line> lines;
     const Eigen::Vector2d axisNormal(std::cos(normalAngle), std::sin(normalAngle));
@@ -167,8 +171,8 @@ std::vector<Line> linesOfInstance(const std::vector<PlanPixel>& pixels, std::vec
         for (const std::uint32_t i : left)
         {
             const double s = line.t.dot(pixels[i].position);
-            if (std::abs(line.n().dot(pixels[i].position) - line.offset) < 1.8 * params.planeDistance_m && s >= line.begin - cell &&
-                s <= line.end + cell)
+            if (std::abs(line.n().dot(pixels[i].position) - line.offset) < 1.8 * params.planeDistance_m &&
+                s >= line.begin - cell && s <= line.end + cell)
                 taken[i] = 1;
         }
         const std::size_t before = left.size();
@@ -209,7 +213,8 @@ public:
         }
     }
     /// Line nearest to a cell within the tolerance, or -1.
-    [[nodiscard]] int nearest(const std::vector<Line>& lines, const Eigen::Vector2d& p, const Eigen::Vector2d& normal) const
+    [[nodiscard]] int nearest(const std::vector<Line>& lines, const Eigen::Vector2d& p,
+                              const Eigen::Vector2d& normal) const
     {
         const auto tile = m_tiles.find(tileOf(p));
         if (tile == m_tiles.end())
@@ -230,14 +235,16 @@ private:
     static constexpr double kTile = 0.25;
     [[nodiscard]] static std::uint64_t tileOf(const Eigen::Vector2d& p)
     {
-        const auto part = [](double v) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(v / kTile)) + (1 << 30)); };
+        const auto part = [](double v)
+        { return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(v / kTile)) + (1 << 30)); };
         return part(p.x()) | part(p.y()) << 32;
     }
     double m_tolerance;
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> m_tiles;
 };
 
-std::vector<Face> gather(const std::vector<Line>& lines, const SurfaceCells& cells, const Level& level, const WallParams& params)
+std::vector<Face> gather(const std::vector<Line>& lines, const SurfaceCells& cells, const Level& level,
+                         const WallParams& params)
 {
     const FaceGatherer gatherer(lines, 1.5 * params.planeDistance_m);
     std::vector<Face> faces(lines.size());
@@ -317,8 +324,8 @@ bool reachesCeiling(const Face& face, const PlanMask& mask)
     return 2 * reaching > seen || static_cast<double>(tall) * Face::kBin_m > long_m;
 }
 
-/// Is it a face of a wall, or of something that stands in the room or hangs on a wall? Labels and shape weigh each other:
-/// what has a wall's shape needs few labels, what hasn't needs many; without labels the shape decides.
+/// Is it a face of a wall, or of something that stands in the room or hangs on a wall? Labels and shape weigh each
+/// other: what has a wall's shape needs few labels, what hasn't needs many; without labels the shape decides.
 bool isWallFace(const Face& face, const SurfaceCells& cells, const PlanMask& mask)
 {
     const bool reaches = reachesCeiling(face, mask);
@@ -332,10 +339,12 @@ bool isRecessed(const Face& face, const std::vector<Face>& faces)
 {
     for (const Face& front : faces)
     {
-        if (&front == &face || front.side == 0 || std::abs(front.t.dot(face.n())) > 0.03 || front.length() < 1.2 * face.length())
+        if (&front == &face || front.side == 0 || std::abs(front.t.dot(face.n())) > 0.03 ||
+            front.length() < 1.2 * face.length())
             continue;
         const double behind = (front.offset - face.offset) * front.side;
-        if (behind < 0.015 || behind > 0.5 || std::min(front.end, face.end) - std::max(front.begin, face.begin) < 0.8 * face.length())
+        if (behind < 0.015 || behind > 0.5 ||
+            std::min(front.end, face.end) - std::max(front.begin, face.begin) < 0.8 * face.length())
             continue;
         std::size_t bins = 0, missing = 0;
         for (std::size_t b = 0; b < face.rows.size(); ++b)
@@ -355,7 +364,8 @@ bool isRecessed(const Face& face, const std::vector<Face>& faces)
     return false;
 }
 
-/// Without labels, what shows no floor or ceiling of this storey beside it stands outside: trees, fences, other buildings.
+/// Without labels, what shows no floor or ceiling of this storey beside it stands outside: trees, fences, other
+/// buildings.
 bool isOutside(const Face& face, const PlanMask& mask)
 {
     const Eigen::Vector2d a = face.at(face.begin), b = face.at(face.end);
@@ -368,8 +378,8 @@ bool isOutside(const Face& face, const PlanMask& mask)
 /// further away on one side only is seen across the wall's own body (the outer face of an external wall).
 struct Side
 {
-    int side = 0;          ///< as Face::side
-    bool isBeside = false; ///< seen right beside the face, not across a body
+    int side = 0;           ///< as Face::side
+    bool isBeside = false;  ///< seen right beside the face, not across a body
 };
 
 Side roomSide(const Face& face, const PlanMask& mask, PlanMask::Layer layer)
@@ -377,26 +387,31 @@ Side roomSide(const Face& face, const PlanMask& mask, PlanMask::Layer layer)
     // The pixel that the face itself lies in says nothing.
     const double nearBegin = 0.75 * mask.pixel_m(), nearEnd = std::max(0.10, 2.5 * mask.pixel_m()), farEnd = 0.7;
     const Eigen::Vector2d a = face.at(face.begin), b = face.at(face.end);
-    const double left = mask.share(a, b, nearBegin, nearEnd, layer), right = mask.share(a, b, -nearEnd, -nearBegin, layer);
+    const double left = mask.share(a, b, nearBegin, nearEnd, layer),
+                 right = mask.share(a, b, -nearEnd, -nearBegin, layer);
     if (std::max(left, right) > 0.4)
         return {std::abs(left - right) > 0.2 ? (left > right ? 1 : -1) : 0, true};
-    const double farLeft = mask.share(a, b, nearEnd, farEnd, layer), farRight = mask.share(a, b, -farEnd, -nearEnd, layer);
+    const double farLeft = mask.share(a, b, nearEnd, farEnd, layer),
+                 farRight = mask.share(a, b, -farEnd, -nearEnd, layer);
     if (std::max(farLeft, farRight) < 0.2 || std::min(farLeft, farRight) > 0.08)
         return {};
     return {farLeft > farRight ? -1 : 1, false};
 }
 
-/// Sides of all faces. A face without free space right beside it (a stair, a shaft) follows a collinear one that has it.
+/// Sides of all faces. A face without free space right beside it (a stair, a shaft) follows a collinear one that has
+/// it.
 void findSides(std::vector<Face>& faces, const PlanMask& mask, double sameOffset)
 {
-    const PlanMask::Layer main = mask.mainLayer(), second = main == PlanMask::Ceiling ? PlanMask::Floor : PlanMask::Ceiling;
+    const PlanMask::Layer main = mask.mainLayer(),
+                          second = main == PlanMask::Ceiling ? PlanMask::Floor : PlanMask::Ceiling;
     std::vector<char> isSure(faces.size(), 0);
     for (std::size_t i = 0; i < faces.size(); ++i)
     {
         Side best = roomSide(faces[i], mask, main);
         // Free space on both sides is an answer too (a leaf, a panel): then the other layer is not asked.
         if (!best.isBeside)
-            if (const Side other = roomSide(faces[i], mask, second); best.side == 0 || (other.isBeside && other.side != 0))
+            if (const Side other = roomSide(faces[i], mask, second);
+                best.side == 0 || (other.isBeside && other.side != 0))
                 best = other;
         faces[i].side = best.side;
         faces[i].isBesideRoom = best.isBeside;
@@ -421,8 +436,8 @@ void findSides(std::vector<Face>& faces, const PlanMask& mask, double sameOffset
 
 }  // namespace
 
-std::vector<Face> findFaces(const SurfaceCells& cells, const Level& level, const PlanMask& mask, const WallParams& params,
-                            const Context& context)
+std::vector<Face> findFaces(const SurfaceCells& cells, const Level& level, const PlanMask& mask,
+                            const WallParams& params, const Context& context)
 {
     std::vector<Line> lines;
     for (const AxisSet& set : sortByAxis(cells, level, params))
@@ -440,7 +455,8 @@ std::vector<Face> findFaces(const SurfaceCells& cells, const Level& level, const
                 members[instance[i]].push_back(static_cast<std::uint32_t>(i));
         for (auto& [id, list] : members)
         {
-            const std::vector<Line> found = linesOfInstance(set.pixels, std::move(list), set.angle_rad, cells.size_m, params, context);
+            const std::vector<Line> found =
+                linesOfInstance(set.pixels, std::move(list), set.angle_rad, cells.size_m, params, context);
             lines.insert(lines.end(), found.begin(), found.end());
         }
     }

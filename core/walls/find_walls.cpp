@@ -54,7 +54,8 @@ int externalOf(const WallBody& body, const PlanMask& mask)
     const Eigen::Vector2d from = body.t * body.begin, to = body.t * body.end;
     const auto ceilingBeside = [&](double low, double high)
     { return mask.share(from, to, low, high, PlanMask::Ceiling) > 0.15; };
-    const bool below = ceilingBeside(body.low - 0.8, body.low - 0.1), above = ceilingBeside(body.high + 0.1, body.high + 0.8);
+    const bool below = ceilingBeside(body.low - 0.8, body.low - 0.1),
+               above = ceilingBeside(body.high + 0.1, body.high + 0.8);
     if (below && above)
         return 0;
     return body.bothSeen() && below != above ? 1 : -1;
@@ -82,7 +83,8 @@ WallResult findWalls(const SurfaceCells& cells, const CellIndex& index, const Le
         const PlanWall& p = plan.walls[i];
         const bool reachesCeiling = p.body.top >= level.ceiling_m;
         const double height = p.body.top - p.body.bottom;
-        if (height < params.minimumHeight_m || p.axisEnd - p.axisBegin < 0.5 * params.minimumLength_m || p.body.end - p.body.begin < 0.5 * params.minimumLength_m)
+        if (height < params.minimumHeight_m || p.axisEnd - p.axisBegin < 0.5 * params.minimumLength_m ||
+            p.body.end - p.body.begin < 0.5 * params.minimumLength_m)
             continue;
         Wall w;
         w.id = idOf[i] = ElementId{nextId++};
@@ -93,29 +95,34 @@ WallResult findWalls(const SurfaceCells& cells, const CellIndex& index, const Le
         w.bodyStart_m = p.body.begin - p.axisBegin;
         w.bodyEnd_m = p.body.end - p.axisBegin;
         w.base_m = p.body.bottom;
-        w.height = {height, level.ceilingSeen || !reachesCeiling ? Provenance::Measured : Provenance::Assumed, level.floorRms_m};
+        w.height = {height, level.ceilingSeen || !reachesCeiling ? Provenance::Measured : Provenance::Assumed,
+                    level.floorRms_m};
         w.evidence = evidenceOf(p.body, faces, height);
-        w.thickness = {p.body.thickness(), p.body.bothSeen() ? Provenance::Measured : Provenance::Assumed, w.evidence.rms_m};
+        w.thickness = {p.body.thickness(), p.body.bothSeen() ? Provenance::Measured : Provenance::Assumed,
+                       w.evidence.rms_m};
         const int external = externalOf(p.body, mask);
         w.isExternalKnown = external >= 0;
         w.isExternal = external == 1;
         if (!p.body.bothSeen())
-            result.diagnostics.push_back({Severity::Warning, "walls", "ThicknessAssumed",
-                                          std::format("Only one face of the wall was seen; its thickness of {:.3f} m is assumed.",
-                                                      p.body.thickness()),
-                                          w.id, Eigen::Vector3d((w.start.x() + w.end.x()) / 2, (w.start.y() + w.end.y()) / 2, level.floor_m)});
+            result.diagnostics.push_back(
+                {Severity::Warning, "walls", "ThicknessAssumed",
+                 std::format("Only one face of the wall was seen; its thickness of {:.3f} m is assumed.",
+                             p.body.thickness()),
+                 w.id, Eigen::Vector3d((w.start.x() + w.end.x()) / 2, (w.start.y() + w.end.y()) / 2, level.floor_m)});
         result.walls.push_back(w);
     }
     for (const BodyJunction& j : plan.junctions)
     {
         if (idOf[j.wall].value == 0 || idOf[j.other].value == 0)
             continue;
-        const auto endOf = [](int e) { return e < 0 ? JunctionEnd::Start : (e > 0 ? JunctionEnd::End : JunctionEnd::Path); };
+        const auto endOf = [](int e)
+        { return e < 0 ? JunctionEnd::Start : (e > 0 ? JunctionEnd::End : JunctionEnd::Path); };
         // A corner is found from both walls; it is one junction.
         const bool known = std::any_of(result.junctions.begin(), result.junctions.end(), [&](const Junction& k)
                                        { return k.wallA == idOf[j.other] && k.wallB == idOf[j.wall]; });
         if (!known)
-            result.junctions.push_back({idOf[j.wall], idOf[j.other], j.atEnd ? JunctionEnd::End : JunctionEnd::Start, endOf(j.otherEnd)});
+            result.junctions.push_back(
+                {idOf[j.wall], idOf[j.other], j.atEnd ? JunctionEnd::End : JunctionEnd::Start, endOf(j.otherEnd)});
     }
     return result;
 }

@@ -14,7 +14,7 @@ constexpr double kStep_m = 0.10;         // along the wall
 constexpr double kSmallestStep_m = 0.5;  // of the top, to be another height
 constexpr double kSmallestPiece_m = 0.8;
 constexpr double kDeepestBeam_m = 0.9;
-constexpr double kWidestOpening_m = 2.2; // of an opening that a wall spans without being two walls
+constexpr double kWidestOpening_m = 2.2;  // of an opening that a wall spans without being two walls
 
 struct Place
 {
@@ -36,7 +36,8 @@ std::vector<Place> placesOf(const WallBody& body, const std::vector<Face>& faces
                 if (!rows || i < 0 || i >= static_cast<std::ptrdiff_t>(places.size()))
                     continue;
                 Place& p = places[static_cast<std::size_t>(i)];
-                const double top = level.floor_m + Face::kRow_m * (64 - std::countl_zero(rows)), bottom = level.floor_m + Face::kRow_m * std::countr_zero(rows);
+                const double top = level.floor_m + Face::kRow_m * (64 - std::countl_zero(rows)),
+                             bottom = level.floor_m + Face::kRow_m * std::countr_zero(rows);
                 p.top = p.seen ? std::max(p.top, top) : top;
                 p.bottom = p.seen ? std::min(p.bottom, bottom) : bottom;
                 p.seen = true;
@@ -51,15 +52,19 @@ double quantile(std::vector<double> values, double q)
     return *at;
 }
 
-/// Stretches where only the upper part was seen and the floor runs through below: a beam, no wall. [first, last) places.
-std::vector<std::pair<std::size_t, std::size_t>> beamsOf(const WallBody& body, const std::vector<Place>& places, const Level& level, const PlanMask& mask)
+/// Stretches where only the upper part was seen and the floor runs through below: a beam, no wall. [first, last)
+/// places.
+std::vector<std::pair<std::size_t, std::size_t>> beamsOf(const WallBody& body, const std::vector<Place>& places,
+                                                         const Level& level, const PlanMask& mask)
 {
     std::vector<std::pair<std::size_t, std::size_t>> beams;
     const double inset = std::min(0.03, body.thickness() / 4);
     for (std::size_t i = 0; i < places.size();)
     {
         std::size_t last = i;
-        while (last < places.size() && (!places[last].seen || (places[last].bottom > level.floor_m + 1.7 && places[last].top - places[last].bottom < kDeepestBeam_m)))
+        while (last < places.size() &&
+               (!places[last].seen ||
+                (places[last].bottom > level.floor_m + 1.7 && places[last].top - places[last].bottom < kDeepestBeam_m)))
             ++last;
         const double length = static_cast<double>(last - i) * kStep_m;
         if (length >= kWidestOpening_m)
@@ -121,7 +126,8 @@ std::vector<std::size_t> splitsOf(const std::vector<Place>& places)
 
 }  // namespace
 
-std::vector<WallBody> settleHeights(std::vector<WallBody> bodies, const std::vector<Face>& faces, const Level& level, const PlanMask& mask)
+std::vector<WallBody> settleHeights(std::vector<WallBody> bodies, const std::vector<Face>& faces, const Level& level,
+                                    const PlanMask& mask)
 {
     std::vector<WallBody> result;
     for (const WallBody& whole : bodies)
@@ -137,7 +143,8 @@ std::vector<WallBody> settleHeights(std::vector<WallBody> bodies, const std::vec
         std::size_t first = 0;
         for (const std::size_t last : ends)
         {
-            const bool isBeam = std::any_of(beams.begin(), beams.end(), [&](const auto& b) { return first >= b.first && last <= b.second; });
+            const bool isBeam = std::any_of(beams.begin(), beams.end(),
+                                            [&](const auto& b) { return first >= b.first && last <= b.second; });
             if (last == first || isBeam)
             {
                 first = last;
@@ -160,7 +167,8 @@ std::vector<WallBody> settleHeights(std::vector<WallBody> bodies, const std::vec
                     piece.top = top;
                 const Eigen::Vector2d a = piece.t * piece.begin, b = piece.t * piece.end;
                 const double inset = std::min(0.03, piece.thickness() / 4);
-                if (bottom > level.floor_m + 1.0 && mask.share(a, b, piece.low + inset, piece.high - inset, PlanMask::Floor) > 0.5)
+                if (bottom > level.floor_m + 1.0 &&
+                    mask.share(a, b, piece.low + inset, piece.high - inset, PlanMask::Floor) > 0.5)
                     piece.bottom = bottom;
             }
             result.push_back(std::move(piece));

@@ -10,9 +10,9 @@ namespace s2b
 {
 
 /// Gives each body the heights that its faces really reach, and splits it where they change (a lower roof beside a
-/// higher one). A top near the storey's ceiling is the ceiling; a bottom well above the floor counts only where the floor
-/// was seen to run through below (furniture hides the lower part of many walls).
-[[nodiscard]] std::vector<WallBody> settleHeights(std::vector<WallBody> bodies, const std::vector<Face>& faces, const Level& level,
-                                                  const PlanMask& mask);
+/// higher one). A top near the storey's ceiling is the ceiling; a bottom well above the floor counts only where the
+/// floor was seen to run through below (furniture hides the lower part of many walls).
+[[nodiscard]] std::vector<WallBody> settleHeights(std::vector<WallBody> bodies, const std::vector<Face>& faces,
+                                                  const Level& level, const PlanMask& mask);
 
 }  // namespace s2b

@@ -14,7 +14,10 @@ namespace
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-double angleOf(const Eigen::Vector2d& t) { return std::atan2(t.y(), t.x()); }
+double angleOf(const Eigen::Vector2d& t)
+{
+    return std::atan2(t.y(), t.x());
+}
 
 /// Turns the face about its middle.
 void setDirection(Face& f, const Eigen::Vector2d& t)
@@ -41,7 +44,10 @@ struct Pair
     double begin = 0, end = 0;
 };
 
-bool isParallel(const Face& a, const Face& b) { return std::abs(a.t.x() * b.t.y() - a.t.y() * b.t.x()) < std::sin(1.0 * kDegree); }
+bool isParallel(const Face& a, const Face& b)
+{
+    return std::abs(a.t.x() * b.t.y() - a.t.y() * b.t.x()) < std::sin(1.0 * kDegree);
+}
 
 }  // namespace
 
@@ -165,12 +171,13 @@ std::vector<WallBody> pairFaces(const std::vector<Face>& faces, const PlanMask& 
             std::size_t e = b;
             while (e < f.rows.size() && !paired[i][e])
                 ++e;
-            const double begin = f.begin + static_cast<double>(b) * step, end = std::min(f.end, f.begin + static_cast<double>(e) * step);
+            const double begin = f.begin + static_cast<double>(b) * step,
+                         end = std::min(f.end, f.begin + static_cast<double>(e) * step);
             WallBody* nearest = nullptr;
             for (std::size_t k = 0; k < pairs.size(); ++k)
                 // A short pair (a pane behind an opening) says nothing of a long rest.
-                if ((pairs[k].low == i || pairs[k].high == i) && bodies[k].begin < end + step && bodies[k].end > begin - step &&
-                    pairs[k].end - pairs[k].begin > 0.3 * (end - begin))
+                if ((pairs[k].low == i || pairs[k].high == i) && bodies[k].begin < end + step &&
+                    bodies[k].end > begin - step && pairs[k].end - pairs[k].begin > 0.3 * (end - begin))
                 {
                     if (!nearest || bodies[k].end - bodies[k].begin > nearest->end - nearest->begin)
                         nearest = &bodies[k];

@@ -28,15 +28,16 @@ struct WallBody
     [[nodiscard]] bool bothSeen() const { return lowSeen && highSeen; }
 };
 
-/// Gives faces of nearly the same direction exactly the same one, the building's axes first: within the angle that their
-/// own points cannot tell apart from it. Offsets and ends are kept at the face's middle.
+/// Gives faces of nearly the same direction exactly the same one, the building's axes first: within the angle that
+/// their own points cannot tell apart from it. Offsets and ends are kept at the face's middle.
 void alignFaces(std::vector<Face>& faces);
 
 /// Groups parallel faces to bodies (D3.6, 3.4.3: parallel planes up to the largest thickness).
 ///
 /// Differs: two faces are one wall where they look away from each other with nothing seen between them, place by place
-/// along the wall, so that a face may belong to walls of different thickness; what is left of a face becomes a body with
-/// one face seen, with thickness 0 until settleThickness().
-[[nodiscard]] std::vector<WallBody> pairFaces(const std::vector<Face>& faces, const PlanMask& mask, const WallParams& params);
+/// along the wall, so that a face may belong to walls of different thickness; what is left of a face becomes a body
+/// with one face seen, with thickness 0 until settleThickness().
+[[nodiscard]] std::vector<WallBody> pairFaces(const std::vector<Face>& faces, const PlanMask& mask,
+                                              const WallParams& params);
 
 }  // namespace s2b

@@ -32,7 +32,8 @@ constexpr double kCoarse_m = 0.25;
 bool isOverhead(const SurfaceCells& cells, const SurfaceCell& c, const Level& level)
 {
     const double z = static_cast<double>(c.position.z());
-    return std::abs(c.normal.z()) > 0.35f && z > level.floor_m + 1.7 && z < level.ceiling_m + (level.ceilingSeen ? 0.05 : 0.5) &&
+    return std::abs(c.normal.z()) > 0.35f && z > level.floor_m + 1.7 &&
+           z < level.ceiling_m + (level.ceilingSeen ? 0.05 : 0.5) &&
            static_cast<double>(c.flatness) < 0.45 * cells.size_m;
 }
 
@@ -59,7 +60,8 @@ PlanMask::PlanMask(const SurfaceCells& cells, const Level& level)
     for (const auto& [p, layer] : hits)
     {
         const Eigen::Vector2i i = ((p - m_low) / m_pixel).array().floor().cast<int>();
-        m_layers[static_cast<std::size_t>(i.x()) + static_cast<std::size_t>(m_size.x()) * static_cast<std::size_t>(i.y())] |= layer;
+        m_layers[static_cast<std::size_t>(i.x()) +
+                 static_cast<std::size_t>(m_size.x()) * static_cast<std::size_t>(i.y())] |= layer;
     }
     if (area_m2(Ceiling) < 0.3 * area_m2(Floor))
         m_main = Floor;
@@ -70,10 +72,12 @@ PlanMask::PlanMask(const SurfaceCells& cells, const Level& level)
     {
         if (!isOverhead(cells, c, level))
             continue;
-        const Eigen::Vector2i i = ((c.position.head<2>().cast<double>() - m_low) / kCoarse_m).array().floor().cast<int>();
+        const Eigen::Vector2i i =
+            ((c.position.head<2>().cast<double>() - m_low) / kCoarse_m).array().floor().cast<int>();
         if ((i.array() < 0).any() || (i.array() >= m_coarseSize.array()).any())
             continue;
-        float& top = m_overhead[static_cast<std::size_t>(i.x()) + static_cast<std::size_t>(m_coarseSize.x()) * static_cast<std::size_t>(i.y())];
+        float& top = m_overhead[static_cast<std::size_t>(i.x()) +
+                                static_cast<std::size_t>(m_coarseSize.x()) * static_cast<std::size_t>(i.y())];
         top = std::max(top, static_cast<float>(static_cast<double>(c.position.z()) - level.floor_m));
     }
 }
@@ -83,8 +87,8 @@ double PlanMask::overhead_m(const Eigen::Vector2d& p) const
     const Eigen::Vector2i i = ((p - m_low) / kCoarse_m).array().floor().cast<int>();
     if ((i.array() < 0).any() || (i.array() >= m_coarseSize.array()).any())
         return -1.0;
-    return static_cast<double>(
-        m_overhead[static_cast<std::size_t>(i.x()) + static_cast<std::size_t>(m_coarseSize.x()) * static_cast<std::size_t>(i.y())]);
+    return static_cast<double>(m_overhead[static_cast<std::size_t>(i.x()) + static_cast<std::size_t>(m_coarseSize.x()) *
+                                                                                static_cast<std::size_t>(i.y())]);
 }
 
 bool PlanMask::seen(const Eigen::Vector2d& p, Layer layer) const
@@ -92,13 +96,16 @@ bool PlanMask::seen(const Eigen::Vector2d& p, Layer layer) const
     const Eigen::Vector2i i = ((p - m_low) / m_pixel).array().floor().cast<int>();
     if ((i.array() < 0).any() || (i.array() >= m_size.array()).any())
         return false;
-    return m_layers[static_cast<std::size_t>(i.x()) + static_cast<std::size_t>(m_size.x()) * static_cast<std::size_t>(i.y())] & layer;
+    return m_layers[static_cast<std::size_t>(i.x()) +
+                    static_cast<std::size_t>(m_size.x()) * static_cast<std::size_t>(i.y())] &
+           layer;
 }
 
 double PlanMask::area_m2(Layer layer) const
 {
     return m_pixel * m_pixel *
-           static_cast<double>(std::count_if(m_layers.begin(), m_layers.end(), [&](std::uint8_t v) { return v & layer; }));
+           static_cast<double>(
+               std::count_if(m_layers.begin(), m_layers.end(), [&](std::uint8_t v) { return v & layer; }));
 }
 
 double PlanMask::share(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double low, double high, Layer layer) const

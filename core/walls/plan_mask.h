@@ -33,9 +33,10 @@ public:
     [[nodiscard]] double area_m2(Layer layer) const;
     /// Share of points of a rectangle (centre line from a to b, between the offsets low and high to its left) where the
     /// layer was seen.
-    [[nodiscard]] double share(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double low, double high, Layer layer) const;
-    /// Share of the rectangle that shows free space, by the layer that a wall interrupts best: the ceiling where one was
-    /// seen at all, else the floor.
+    [[nodiscard]] double share(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double low, double high,
+                               Layer layer) const;
+    /// Share of the rectangle that shows free space, by the layer that a wall interrupts best: the ceiling where one
+    /// was seen at all, else the floor.
     [[nodiscard]] double freeShare(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double low, double high) const;
     /// Height of the highest surface overhead near p (within a quarter of a metre), or a negative number where none was
     /// seen: the local ceiling, level or sloped.

@@ -11,7 +11,10 @@ namespace s2b
 namespace
 {
 
-bool isSameLine(const WallBody& a, const WallBody& b) { return std::abs(a.t.x() * b.t.y() - a.t.y() * b.t.x()) < 1e-6; }
+bool isSameLine(const WallBody& a, const WallBody& b)
+{
+    return std::abs(a.t.x() * b.t.y() - a.t.y() * b.t.x()) < 1e-6;
+}
 
 void setThickness(WallBody& b, double thickness)
 {
@@ -22,7 +25,8 @@ void setThickness(WallBody& b, double thickness)
 }
 
 /// Depths behind the face of a one-sided body at which opening surfaces (jambs, sills, heads, frames, panes) were seen.
-std::optional<double> revealDepth(const WallBody& body, const SurfaceCells& cells, const CellIndex& index, const Level& level, const WallParams& params)
+std::optional<double> revealDepth(const WallBody& body, const SurfaceCells& cells, const CellIndex& index,
+                                  const Level& level, const WallParams& params)
 {
     const double face = body.lowSeen ? body.low : body.high, sign = body.lowSeen ? 1.0 : -1.0;
     const Eigen::Vector2d n = body.n();
@@ -38,10 +42,12 @@ std::optional<double> revealDepth(const WallBody& body, const SurfaceCells& cell
         const double depth = sign * (n.dot(p) - face), s = body.t.dot(p);
         if (depth < 0.03 || depth > params.maximumThickness_m || s < body.begin + 0.1 || s > body.end - 0.1)
             return;
-        if (cells.hasLabels && c.label != Label::Window && c.label != Label::Wall)  // a leaf may stand open beyond the wall
+        if (cells.hasLabels && c.label != Label::Window &&
+            c.label != Label::Wall)  // a leaf may stand open beyond the wall
             return;
         // Surfaces across the wall: jambs, sills, heads; and window frames and panes whatever their direction.
-        const double across = std::abs(n.x() * static_cast<double>(c.normal.x()) + n.y() * static_cast<double>(c.normal.y()));
+        const double across =
+            std::abs(n.x() * static_cast<double>(c.normal.x()) + n.y() * static_cast<double>(c.normal.y()));
         if (across > 0.3 && !(cells.hasLabels && c.label == Label::Window))
             return;
         histogram[static_cast<std::size_t>(depth / bin)] += 1;
@@ -79,8 +85,8 @@ double weightedMedian(std::vector<std::pair<double, double>> values)
 
 }  // namespace
 
-void settleThickness(std::vector<WallBody>& bodies, const SurfaceCells& cells, const CellIndex& index, const Level& level, const PlanMask& mask,
-                     const WallParams& params)
+void settleThickness(std::vector<WallBody>& bodies, const SurfaceCells& cells, const CellIndex& index,
+                     const Level& level, const PlanMask& mask, const WallParams& params)
 {
     std::vector<WallBody*> open;
     for (WallBody& b : bodies)
@@ -153,7 +159,8 @@ void settleThickness(std::vector<WallBody>& bodies, const SurfaceCells& cells, c
         if (b->thickness() > 0.75 * deepest)
             setThickness(*b, deepest);
     const double internalThickness = internal.empty() ? params.defaultThickness_m : weightedMedian(internal);
-    // Without labels a reveal may end at a pane in the middle of the wall; an external wall is no thinner than the others.
+    // Without labels a reveal may end at a pane in the middle of the wall; an external wall is no thinner than the
+    // others.
     if (!cells.hasLabels && !internal.empty())
     {
         deepest = std::max(deepest, internalThickness);

@@ -13,9 +13,15 @@ namespace s2b
 namespace
 {
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+    return a.x() * b.y() - a.y() * b.x();
+}
 
-Eigen::Vector2d at(const WallBody& b, double s, double d) { return b.t * s + b.n() * d; }
+Eigen::Vector2d at(const WallBody& b, double s, double d)
+{
+    return b.t * s + b.n() * d;
+}
 
 /// Share of a body's cross section between two places that shows room.
 double freeBetween(const WallBody& b, double from, double to, const PlanMask& mask)
@@ -29,7 +35,8 @@ bool isOneWall(const WallBody& a, const WallBody& b, const PlanMask& mask, const
 {
     if (std::abs(cross(a.t, b.t)) > 1e-6)
         return false;
-    const bool lowFits = std::abs(a.low - b.low) < params.mergeOffset_m, highFits = std::abs(a.high - b.high) < params.mergeOffset_m;
+    const bool lowFits = std::abs(a.low - b.low) < params.mergeOffset_m,
+               highFits = std::abs(a.high - b.high) < params.mergeOffset_m;
     const bool sameFace = (lowFits && a.lowSeen && b.lowSeen) || (highFits && a.highSeen && b.highSeen);
     // Each face must agree where both saw it; an assumed one follows the other.
     if ((a.lowSeen && b.lowSeen && !lowFits) || (a.highSeen && b.highSeen && !highFits))
@@ -88,7 +95,8 @@ double coveredBy(const WallBody& a, const WallBody& b)
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < m; ++j)
         {
-            const Eigen::Vector2d p = at(a, a.begin + (a.end - a.begin) * (i + 0.5) / n, a.low + a.thickness() * (j + 0.5) / m);
+            const Eigen::Vector2d p =
+                at(a, a.begin + (a.end - a.begin) * (i + 0.5) / n, a.low + a.thickness() * (j + 0.5) / m);
             const double s = b.t.dot(p), d = b.n().dot(p);
             inside += s > b.begin && s < b.end && d > b.low && d < b.high;
         }
@@ -105,13 +113,13 @@ double halfAcrossOf(const WallBody& a, const WallBody& b)
 struct Meeting
 {
     std::uint32_t other = 0;
-    double s = 0;        ///< on the wall's axis
-    double sOther = 0;   ///< on the other's axis
-    double move = 0;     ///< how far the end has to be drawn (to the other's near face)
+    double s = 0;       ///< on the wall's axis
+    double sOther = 0;  ///< on the other's axis
+    double move = 0;    ///< how far the end has to be drawn (to the other's near face)
 };
 
-std::optional<Meeting> meetingOf(const WallBody& a, bool atEnd, const WallBody& b, std::uint32_t other, const PlanMask& mask,
-                                 const WallParams& params)
+std::optional<Meeting> meetingOf(const WallBody& a, bool atEnd, const WallBody& b, std::uint32_t other,
+                                 const PlanMask& mask, const WallParams& params)
 {
     const double sine = cross(a.t, b.t);
     if (std::abs(sine) < std::sin(10 * std::numbers::pi / 180))
@@ -132,7 +140,8 @@ std::optional<Meeting> meetingOf(const WallBody& a, bool atEnd, const WallBody& 
     if (m.sOther < b.begin - halfAlong - params.closeGap_m || m.sOther > b.end + halfAlong + params.closeGap_m)
         return std::nullopt;
     // A gap with room in it is a passage.
-    if (m.move > 0.08 && freeBetween(a, std::min(end, end + out * m.move), std::max(end, end + out * m.move), mask) > 0.4)
+    if (m.move > 0.08 &&
+        freeBetween(a, std::min(end, end + out * m.move), std::max(end, end + out * m.move), mask) > 0.4)
         return std::nullopt;
     return m;
 }
@@ -148,13 +157,15 @@ void splitCrossings(std::vector<WallBody>& bodies, double minimumLength)
                 WallBody& a = bodies[i];
                 const WallBody& b = bodies[j];
                 const double sine = cross(a.t, b.t);
-                if (i == j || std::abs(sine) < std::sin(10 * std::numbers::pi / 180) || std::tuple(a.end - a.begin, i) > std::tuple(b.end - b.begin, j) ||
-                    a.bottom >= b.top || b.bottom >= a.top)
+                if (i == j || std::abs(sine) < std::sin(10 * std::numbers::pi / 180) ||
+                    std::tuple(a.end - a.begin, i) > std::tuple(b.end - b.begin, j) || a.bottom >= b.top ||
+                    b.bottom >= a.top)
                     continue;
                 const Eigen::Vector2d between = b.n() * b.middle() - a.n() * a.middle();
-                const double sa = cross(between, b.t) / sine, sb = cross(between, a.t) / sine, half = halfAcrossOf(a, b);
-                if (sa - half < a.begin + minimumLength || sa + half > a.end - minimumLength || sb < b.begin + minimumLength ||
-                    sb > b.end - minimumLength)
+                const double sa = cross(between, b.t) / sine, sb = cross(between, a.t) / sine,
+                             half = halfAcrossOf(a, b);
+                if (sa - half < a.begin + minimumLength || sa + half > a.end - minimumLength ||
+                    sb < b.begin + minimumLength || sb > b.end - minimumLength)
                     continue;
                 WallBody rest = a;
                 a.end = sa - half;
@@ -173,8 +184,12 @@ void splitCrossings(std::vector<WallBody>& bodies, double minimumLength)
 
 std::vector<WallBody> mergeBodies(std::vector<WallBody> bodies, const PlanMask& mask, const WallParams& params)
 {
-    std::sort(bodies.begin(), bodies.end(), [](const WallBody& a, const WallBody& b)
-              { return std::tuple(!a.bothSeen(), -(a.end - a.begin), a.begin, a.low) < std::tuple(!b.bothSeen(), -(b.end - b.begin), b.begin, b.low); });
+    std::sort(bodies.begin(), bodies.end(),
+              [](const WallBody& a, const WallBody& b)
+              {
+                  return std::tuple(!a.bothSeen(), -(a.end - a.begin), a.begin, a.low) <
+                         std::tuple(!b.bothSeen(), -(b.end - b.begin), b.begin, b.low);
+              });
     for (bool changed = true; changed;)
     {
         changed = false;
@@ -192,7 +207,8 @@ std::vector<WallBody> mergeBodies(std::vector<WallBody> bodies, const PlanMask& 
     // A body within another is the other's furring, frame or reveal.
     for (std::size_t i = bodies.size(); i-- > 0;)
         for (std::size_t j = 0; j < bodies.size(); ++j)
-            if (i != j && bodies[j].end - bodies[j].begin >= bodies[i].end - bodies[i].begin && coveredBy(bodies[i], bodies[j]) > 0.6)
+            if (i != j && bodies[j].end - bodies[j].begin >= bodies[i].end - bodies[i].begin &&
+                coveredBy(bodies[i], bodies[j]) > 0.6)
             {
                 bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(i));
                 break;
@@ -226,12 +242,14 @@ Plan connectWalls(std::vector<WallBody> bodies, const PlanMask& mask, const Wall
             BodyJunction junction{i, atEnd, best->other, 0, at(bodies[i], best->s, bodies[i].middle())};
             const double toBegin = best->sOther - other.begin, toEnd = other.end - best->sOther;
             // Near the other's end it is a corner, unless the other clearly runs on.
-            if (std::min(toBegin, toEnd) < std::max(bodies[i].thickness() * 0.75 + 0.05, 0.15) && std::min(toBegin, toEnd) > -reach)
+            if (std::min(toBegin, toEnd) < std::max(bodies[i].thickness() * 0.75 + 0.05, 0.15) &&
+                std::min(toBegin, toEnd) > -reach)
                 junction.otherEnd = toBegin < toEnd ? -1 : 1;
             (atEnd ? plan.walls[i].axisEnd : plan.walls[i].axisBegin) = best->s;
             plan.junctions.push_back(junction);
         }
-    // Bodies: cut at the other's near face where a wall ends on another; at a corner the longer one runs to the far face.
+    // Bodies: cut at the other's near face where a wall ends on another; at a corner the longer one runs to the far
+    // face.
     for (const BodyJunction& j : plan.junctions)
     {
         WallBody& a = plan.walls[j.wall].body;

@@ -24,12 +24,12 @@ struct WallParams
     double maximumThickness_m = 0.60;  ///< largest distance of parallel planes of one wall; D3.6, 3.4.3
     double defaultThickness_m = 0.20;  ///< of a wall with one face seen and nothing that says more; D3.6, 1.2
     double defaultExternalThickness_m = 0.30;
-    double minimumLength_m = 0.30;     ///< D3.6, 6.2: size limits
-    double minimumHeight_m = 0.50;     ///< D3.6, 6.2: size limits
-    double mergeGap_m = 0.45;          ///< largest gap between collinear pieces of one wall; D3.6, 3.4.4
-    double mergeUnseen_m = 4.0;        ///< largest hidden gap between collinear pieces, each longer than it
-    double mergeOffset_m = 0.03;       ///< largest offset between collinear pieces of one wall
-    double closeGap_m = 0.60;          ///< largest gap that is closed at a corner; D3.6, 3.4.4
+    double minimumLength_m = 0.30;  ///< D3.6, 6.2: size limits
+    double minimumHeight_m = 0.50;  ///< D3.6, 6.2: size limits
+    double mergeGap_m = 0.45;       ///< largest gap between collinear pieces of one wall; D3.6, 3.4.4
+    double mergeUnseen_m = 4.0;     ///< largest hidden gap between collinear pieces, each longer than it
+    double mergeOffset_m = 0.03;    ///< largest offset between collinear pieces of one wall
+    double closeGap_m = 0.60;       ///< largest gap that is closed at a corner; D3.6, 3.4.4
     bool operator==(const WallParams&) const = default;
 };
 
@@ -46,7 +46,8 @@ struct WallResult
 /// @param index   of the storey's cells
 /// @param storey  of the level, for the walls to refer to
 /// @param nextId  the next free ElementId value; advanced
-[[nodiscard]] WallResult findWalls(const SurfaceCells& cells, const CellIndex& index, const Level& level, ElementId storey,
-                                   std::uint32_t& nextId, const WallParams& params, const Context& context);
+[[nodiscard]] WallResult findWalls(const SurfaceCells& cells, const CellIndex& index, const Level& level,
+                                   ElementId storey, std::uint32_t& nextId, const WallParams& params,
+                                   const Context& context);
 
 }  // namespace s2b

@@ -8,7 +8,8 @@
 # Targets: CCCoreLib CC_FBO_LIB QCC_DB_LIB QCC_GL_LIB QCC_IO_LIB CCPluginAPI CCPluginStub
 set(CC_SOURCE_DIR "$ENV{CC_SOURCE_DIR}" CACHE PATH "CloudCompare source tree of the installed version")
 find_library(CC_DB_LIBRARY QCC_DB_LIB PATH_SUFFIXES cloudcompare)
-get_filename_component(CC_LIBRARY_DIR "${CC_DB_LIBRARY}" DIRECTORY)
+get_filename_component(library_dir "${CC_DB_LIBRARY}" DIRECTORY)
+set(CC_LIBRARY_DIR "${library_dir}" CACHE INTERNAL "Folder of CloudCompare's libraries")
 find_program(CC_EXECUTABLE CloudCompare)
 find_path(CC_PLUGIN_INCLUDE ccStdPluginInterface.h PATHS "${CC_SOURCE_DIR}/libs/CCPluginStub/include" NO_DEFAULT_PATH)
 mark_as_advanced(CC_DB_LIBRARY CC_PLUGIN_INCLUDE)

@@ -24,20 +24,36 @@ std::string buildingJson(const Building& building)
     json out;
     out["yaw_rad"] = building.frame.yaw_rad;
     for (const Storey& s : building.storeys)
-        out["storeys"].push_back({{"id", s.id.value}, {"name", s.name}, {"floor", s.elevation_m + building.frame.origin.z()}, {"height", s.height.value_m}});
+        out["storeys"].push_back({{"id", s.id.value},
+                                  {"name", s.name},
+                                  {"floor", s.elevation_m + building.frame.origin.z()},
+                                  {"height", s.height.value_m}});
     for (const Wall& w : building.walls)
-        out["walls"].push_back({{"id", w.id.value}, {"storey", w.storey.value}, {"outline", ring(w.outline())}, {"axis", {world(w.start), world(w.end)}},
-                                {"thickness", w.thickness.value_m}, {"base", w.base_m}, {"height", w.height.value_m}, {"facesSeen", w.evidence.facesSeen}});
+        out["walls"].push_back({{"id", w.id.value},
+                                {"storey", w.storey.value},
+                                {"outline", ring(w.outline())},
+                                {"axis", {world(w.start), world(w.end)}},
+                                {"thickness", w.thickness.value_m},
+                                {"base", w.base_m},
+                                {"height", w.height.value_m},
+                                {"facesSeen", w.evidence.facesSeen}});
     for (const Opening& o : building.openings)
     {
         const Wall* w = building.wall(o.host);
         const Eigen::Vector2d a = w->start + w->direction() * o.offset_m, b = a + w->direction() * o.width.value_m,
                               n = w->normal() * (w->thickness.value_m / 2);
-        out["openings"].push_back({{"id", o.id.value}, {"storey", w->storey.value}, {"kind", static_cast<int>(o.kind)}, {"outline", ring({a - n, b - n, b + n, a + n})},
-                                   {"sill", o.sill.value_m}, {"height", o.height.value_m}});
+        out["openings"].push_back({{"id", o.id.value},
+                                   {"storey", w->storey.value},
+                                   {"kind", static_cast<int>(o.kind)},
+                                   {"outline", ring({a - n, b - n, b + n, a + n})},
+                                   {"sill", o.sill.value_m},
+                                   {"height", o.height.value_m}});
     }
     for (const Column& c : building.columns)
-        out["columns"].push_back({{"id", c.id.value}, {"storey", c.storey.value}, {"center", world(c.center)}, {"yaw", c.yaw_rad + building.frame.yaw_rad},
+        out["columns"].push_back({{"id", c.id.value},
+                                  {"storey", c.storey.value},
+                                  {"center", world(c.center)},
+                                  {"yaw", c.yaw_rad + building.frame.yaw_rad},
                                   {"round", std::holds_alternative<CircleSection>(c.section)}});
     const auto polygon = [&](const Polygon& p)
     {
@@ -47,20 +63,34 @@ std::string buildingJson(const Building& building)
         return rings;
     };
     for (const Slab& s : building.slabs)
-        out["slabs"].push_back({{"id", s.id.value}, {"storey", s.storey.value}, {"kind", static_cast<int>(s.kind)}, {"rings", polygon(s.outline)},
-                                {"top", s.top_m}, {"thickness", s.thickness.value_m}, {"measured", s.thickness.provenance == Provenance::Measured},
-                                {"points", s.evidence.points}, {"coverage", s.evidence.faceCoverage}, {"rms", s.evidence.rms_m}});
+        out["slabs"].push_back({{"id", s.id.value},
+                                {"storey", s.storey.value},
+                                {"kind", static_cast<int>(s.kind)},
+                                {"rings", polygon(s.outline)},
+                                {"top", s.top_m},
+                                {"thickness", s.thickness.value_m},
+                                {"measured", s.thickness.provenance == Provenance::Measured},
+                                {"points", s.evidence.points},
+                                {"coverage", s.evidence.faceCoverage},
+                                {"rms", s.evidence.rms_m}});
     for (const Space& s : building.spaces)
     {
         json walls = json::array();
         for (const ElementId w : s.boundedBy)
             walls.push_back(w.value);
-        out["spaces"].push_back({{"id", s.id.value}, {"storey", s.storey.value}, {"name", s.name}, {"rings", polygon(s.outline)}, {"area", s.area_m2},
-                                 {"floor", s.floor_m}, {"height", s.height.value_m}, {"measured", s.height.provenance == Provenance::Measured},
+        out["spaces"].push_back({{"id", s.id.value},
+                                 {"storey", s.storey.value},
+                                 {"name", s.name},
+                                 {"rings", polygon(s.outline)},
+                                 {"area", s.area_m2},
+                                 {"floor", s.floor_m},
+                                 {"height", s.height.value_m},
+                                 {"measured", s.height.provenance == Provenance::Measured},
                                  {"boundedBy", walls}});
     }
     for (const Diagnostic& d : building.diagnostics)
-        out["diagnostics"].push_back({{"stage", d.stage}, {"code", d.code}, {"text", d.text}, {"element", d.element.value}});
+        out["diagnostics"].push_back(
+            {{"stage", d.stage}, {"code", d.code}, {"text", d.text}, {"element", d.element.value}});
     return out.dump(1);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// s2b_reconstruct IN.laz [--ifc OUT.ifc] [--json OUT.json] [--geometry-only] [--set name=value]: the pipeline alone, timed.
+/// s2b_reconstruct IN.laz [--ifc OUT.ifc] [--json OUT.json] [--geometry-only] [--set name=value]: the pipeline alone,
+/// timed.
 #include "core/pipeline/pipeline.h"
 #include "ifc/ifc_writer.h"
 #include "tests/bench/building_json.h"
@@ -76,10 +77,11 @@ int main(int argc, char** argv)
             s2b::ifc::writeIfc(building, ifcPath, {});
         if (!jsonPath.empty())
             std::ofstream(jsonPath) << s2b::buildingJson(building);
-        std::cout << in << ": " << cloud.size() << " points, " << building.storeys.size() << " storeys, " << building.walls.size()
-                  << " walls, " << building.openings.size() << " openings, " << building.columns.size() << " columns; load "
-                  << loaded - t0 << " s, reconstruct " << done - loaded << " s, write " << seconds() - done << " s, peak "
-                  << peakMegabytes() << " MB (" << loadedMegabytes << " loaded)\n";
+        std::cout << in << ": " << cloud.size() << " points, " << building.storeys.size() << " storeys, "
+                  << building.walls.size() << " walls, " << building.openings.size() << " openings, "
+                  << building.columns.size() << " columns; load " << loaded - t0 << " s, reconstruct " << done - loaded
+                  << " s, write " << seconds() - done << " s, peak " << peakMegabytes() << " MB (" << loadedMegabytes
+                  << " loaded)\n";
     }
     catch (const std::exception& e)
     {

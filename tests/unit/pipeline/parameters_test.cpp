@@ -308,9 +308,7 @@ TEST(LoadConfig, NamesAFileThatIsNotThere)
 
 TEST(ParameterDocumentation, IsTheFileInDocs)
 {
-    const std::filesystem::path here(__FILE__);  // tests/unit/pipeline/
-    const std::filesystem::path path =
-        here.parent_path().parent_path().parent_path().parent_path() / "docs" / "parameters.md";
+    const std::filesystem::path path = std::filesystem::path(S2B_SOURCE_FOLDER) / "docs" / "parameters.md";
     if (std::getenv("S2B_UPDATE_DOCS"))
         std::ofstream(path, std::ios::binary) << parameterDocumentation();
     std::istringstream written(readText(path));
