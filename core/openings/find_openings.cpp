@@ -91,6 +91,8 @@ OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, co
         {
             return wall->start + wall->direction() * (opening.offset_m + opening.width.value_m / 2);
         }
+        [[nodiscard]] double bottom() const { return wall->base_m + opening.sill.value_m; }
+        [[nodiscard]] double top() const { return bottom() + opening.height.value_m; }
     };
     std::vector<Candidate> candidates;
     for (const Wall& wall : walls)
@@ -159,7 +161,7 @@ OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, co
         if (std::none_of(kept.begin(), kept.end(),
                          [&](const Candidate& k)
                          {
-                             return k.wall != c.wall &&
+                             return k.wall != c.wall && k.bottom() < c.top() && c.bottom() < k.top() &&
                                     (k.centre() - c.centre()).norm() <
                                         0.5 * std::max(k.opening.width.value_m, c.opening.width.value_m);
                          }))

@@ -10,6 +10,7 @@
 #include "core/openings/openings.h"
 #include "core/slabs/slabs.h"
 #include "core/spaces/spaces.h"
+#include "core/walls/upper_storey.h"
 #include "core/walls/walls.h"
 
 #include <algorithm>
@@ -118,6 +119,7 @@ Building reconstruct(const CloudView& cloud, const PipelineOptions& options, con
         building.storeys.push_back(storey);
     }
 
+    std::vector<Storey> wallStoreys;  // that show in walls alone
     for (std::size_t i = 0; i < levels.levels.size(); ++i)
     {
         const Level& level = levels.levels[i];
@@ -130,6 +132,20 @@ Building reconstruct(const CloudView& cloud, const PipelineOptions& options, con
             context.report(std::format("Walls of {}", building.storeys[i].name), stageFraction(0.0));
             const CellIndex index(cells, level.floor_m - 0.2, level.ceiling_m + 0.4);
             WallResult walls = findWalls(cells, index, level, storey, nextId, p.walls, context);
+            if (const auto base = upperStoreyBase(walls.walls, level, index, p.levels.minimumRoomHeight_m,
+                                                  p.slabs.defaultThickness_m))
+            {
+                Storey upper;
+                upper.id = ElementId{nextId++};
+                upper.elevation_m = *base;
+                upper.height = {level.ceiling_m - *base, Provenance::Assumed, 0.0};
+                divideWalls(walls.walls, walls.junctions, *base, upper.id, nextId);
+                wallStoreys.push_back(upper);
+                building.diagnostics.push_back({Severity::Warning, "levels", "StoreyFromWalls",
+                                                "No floor of this storey was seen; walls that begin at its height show "
+                                                "it, and its elevation assumes a slab below them.",
+                                                upper.id, Eigen::Vector3d(0, 0, *base)});
+            }
             std::set<OpeningKind> kinds;
             for (const auto& [stage, kind] :
                  {std::pair(Stage::Doors, OpeningKind::Door), std::pair(Stage::Windows, OpeningKind::Window),
@@ -158,6 +174,11 @@ Building reconstruct(const CloudView& cloud, const PipelineOptions& options, con
         }
     }
     addRooms(cells, levels.levels, options, nextId, building, context);
+    building.storeys.insert(building.storeys.end(), wallStoreys.begin(), wallStoreys.end());
+    std::stable_sort(building.storeys.begin(), building.storeys.end(),
+                     [](const Storey& a, const Storey& b) { return a.elevation_m < b.elevation_m; });
+    for (std::size_t i = 0; i < building.storeys.size(); ++i)
+        building.storeys[i].name = std::format("Level {}", i);
     context.checkCancelled();  // also of a request made in the last step
     return building;
 }
