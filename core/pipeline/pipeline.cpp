@@ -132,8 +132,7 @@ Building reconstruct(const CloudView& cloud, const PipelineOptions& options, con
             context.report(std::format("Walls of {}", building.storeys[i].name), stageFraction(0.0));
             const CellIndex index(cells, level.floor_m - 0.2, level.ceiling_m + 0.4);
             WallResult walls = findWalls(cells, index, level, storey, nextId, p.walls, context);
-            if (const auto base = upperStoreyBase(walls.walls, level, index, p.levels.minimumRoomHeight_m,
-                                                  p.slabs.defaultThickness_m))
+            if (const auto base = upperStoreyBase(walls.walls, level, index, p.levels.minimumRoomHeight_m))
             {
                 Storey upper;
                 upper.id = ElementId{nextId++};
@@ -141,10 +140,10 @@ Building reconstruct(const CloudView& cloud, const PipelineOptions& options, con
                 upper.height = {level.ceiling_m - *base, Provenance::Assumed, 0.0};
                 divideWalls(walls.walls, walls.junctions, *base, upper.id, nextId);
                 wallStoreys.push_back(upper);
-                building.diagnostics.push_back({Severity::Warning, "levels", "StoreyFromWalls",
-                                                "No floor of this storey was seen; walls that begin at its height show "
-                                                "it, and its elevation assumes a slab below them.",
-                                                upper.id, Eigen::Vector3d(0, 0, *base)});
+                building.diagnostics.push_back(
+                    {Severity::Warning, "levels", "StoreyFromWalls",
+                     "No floor of this storey was seen; walls that begin at its height show it.", upper.id,
+                     Eigen::Vector3d(0, 0, *base)});
             }
             std::set<OpeningKind> kinds;
             for (const auto& [stage, kind] :

@@ -10,56 +10,67 @@ namespace s2b
 namespace
 {
 
-/// Floor that a wall over open space stands on: the assumed slab above the underside where that was seen, else the
-/// lowest of its faces.
-double floorOf(const Wall& wall, const CellIndex& index, double slabThickness_m)
+/// Heights of the cells on a wall's faces within 0.3 m of z, ascending.
+std::vector<double> faceHeights(const Wall& wall, const CellIndex& index, double z)
 {
-    constexpr std::size_t enough = 20;
-    std::vector<double> underside, face;
+    std::vector<double> heights;
     const Eigen::Vector2d t = wall.direction(), n = wall.normal();
-    const double half = wall.thickness.value_m / 2;
     index.near(wall.start, wall.end, wall.thickness.value_m,
                [&](const SurfaceCell& c)
                {
                    const Eigen::Vector2d p = c.position.head<2>().cast<double>() - wall.start;
-                   const double s = t.dot(p), d = std::abs(n.dot(p)), z = static_cast<double>(c.position.z());
-                   if (s < wall.bodyStart_m + 0.05 || s > wall.bodyEnd_m - 0.05 || std::abs(z - wall.base_m) > 0.3)
-                       return;
-                   if (d < half - 0.03 && std::abs(c.normal.z()) > 0.8f)
-                       underside.push_back(z);
-                   else if (std::abs(d - half) < 0.02 && std::abs(n.dot(c.normal.head<2>().cast<double>())) > 0.8)
-                       face.push_back(z);
+                   const double s = t.dot(p), height = static_cast<double>(c.position.z());
+                   if (s > wall.bodyStart_m + 0.05 && s < wall.bodyEnd_m - 0.05 && std::abs(height - z) < 0.3 &&
+                       std::abs(std::abs(n.dot(p)) - wall.thickness.value_m / 2) < 0.02 &&
+                       std::abs(n.dot(c.normal.head<2>().cast<double>())) > 0.8)
+                       heights.push_back(height);
                });
-    if (underside.size() >= enough)
-    {
-        const auto middle = underside.begin() + static_cast<std::ptrdiff_t>(underside.size() / 2);
-        std::nth_element(underside.begin(), middle, underside.end());
-        return *middle + slabThickness_m;
-    }
-    if (face.size() < enough)
-        return wall.base_m;
-    const auto low = face.begin() + static_cast<std::ptrdiff_t>(face.size() / 50);
-    std::nth_element(face.begin(), low, face.end());
-    return *low;
+    std::sort(heights.begin(), heights.end());
+    return heights;
 }
+
+/// Length-weighted mean of what the walls say.
+class Mean
+{
+public:
+    void add(const Wall& wall, double value)
+    {
+        m_length += wall.axisLength_m();
+        m_sum += wall.axisLength_m() * value;
+    }
+    [[nodiscard]] double length_m() const { return m_length; }
+    [[nodiscard]] double value() const { return m_sum / m_length; }
+
+private:
+    double m_length = 0, m_sum = 0;
+};
 
 }  // namespace
 
 std::optional<double> upperStoreyBase(const std::vector<Wall>& walls, const Level& level, const CellIndex& index,
-                                      double minimumRoomHeight_m, double slabThickness_m)
+                                      double minimumRoomHeight_m)
 {
-    constexpr double minimumLength_m = 2.0, minimumHeight_m = 1.0;
-    double length = 0, sum = 0;
+    constexpr double minimumLength_m = 2.0, minimumHeight_m = 1.0, reach_m = 0.5;
+    Mean bases;
     for (const Wall& w : walls)
         if (w.base_m - level.floor_m >= minimumRoomHeight_m && w.height.value_m >= minimumHeight_m &&
             w.evidence.facesSeen == 2)
         {
-            length += w.axisLength_m();
-            sum += w.axisLength_m() * floorOf(w, index, slabThickness_m);
+            const std::vector<double> z = faceHeights(w, index, w.base_m);
+            bases.add(w, z.size() < 20 ? w.base_m : z[z.size() / 50]);
         }
-    if (length < minimumLength_m)
+    if (bases.length_m() < minimumLength_m)
         return std::nullopt;
-    return sum / length;
+    // A roof often hides the foot of such a wall; the lower walls beside it end at the same storey.
+    Mean tops;
+    for (const Wall& w : walls)
+    {
+        const double top = w.base_m + w.height.value_m;
+        if (w.base_m < level.floor_m + 0.5 && std::abs(top - bases.value()) < reach_m && w.evidence.facesSeen == 2)
+            if (const std::vector<double> z = faceHeights(w, index, top); z.size() >= 20)
+                tops.add(w, z[z.size() - 1 - z.size() / 50]);
+    }
+    return tops.length_m() >= minimumLength_m ? tops.value() : bases.value();
 }
 
 void divideWalls(std::vector<Wall>& walls, std::vector<Junction>& junctions, double base_m, ElementId upper,

@@ -13,10 +13,9 @@ namespace s2b
 
 /// Height of a storey that shows in its walls alone: walls that begin more than a room's height above the level's
 /// floor, over open space (a gallery, a tower over a hall). Nothing when there are none of together at least 2 m.
-/// @param slabThickness_m  assumed between the underside that was seen and the storey's floor
+/// Where lower walls beside them end at about that height, their tops give it.
 [[nodiscard]] std::optional<double> upperStoreyBase(const std::vector<Wall>& walls, const Level& level,
-                                                    const CellIndex& index, double minimumRoomHeight_m,
-                                                    double slabThickness_m);
+                                                    const CellIndex& index, double minimumRoomHeight_m);
 
 /// Divides the walls at that height (D3.6, 3.6: elements are separated by levels): what is above goes to `upper`.
 /// Walls that hardly reach above it stay whole. New walls are appended; junctions are repeated for pairs that both go
