@@ -16,7 +16,6 @@ namespace s2b
 /// Doors, windows and plain openings (D3.6, 3.5).
 struct OpeningParams
 {
-    double searchMargin_m = 0.10;   ///< D3.6, 3.5: first step, inside the wall's box
     double clusterRadius_m = 0.10;  ///< D3.6, 3.5: DBSCAN radius
     double minimumDoorWidth_m = 0.50;
     double maximumDoorWidth_m = 4.0;

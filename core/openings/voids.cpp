@@ -42,7 +42,6 @@ public:
     }
     [[nodiscard]] int columns() const { return m_columns; }
     [[nodiscard]] double s(int column) const { return m_begin + m_step * column; }
-    [[nodiscard]] double step() const { return m_step; }
     /// Height up to which nothing of the faces was seen above 0.1 m; a stray square does not end it.
     [[nodiscard]] double openUpTo(int column) const
     {

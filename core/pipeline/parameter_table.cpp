@@ -60,7 +60,6 @@ const std::vector<ParameterInfo>& parameterTable()
         row<&P::walls, &WallParams::mergeOffset_m>("walls.mergeOffset", "m", 0, 0.5, "Largest sideways offset between collinear pieces of one wall.", "D3.6, 3.4.4 and 6.2 (merging); value: practice"),
         row<&P::walls, &WallParams::closeGap_m>("walls.closeGap", "m", 0, 5, "Largest gap that is closed at a corner.", "D3.6, 3.4.4 and 6.2 (closing); value: practice"),
 
-        row<&P::openings, &OpeningParams::searchMargin_m>("openings.searchMargin", "m", 0, 1, "Door points are looked for this far around the wall's box first.", "D3.6, 3.5; value: practice, the depth of a lining"),
         row<&P::openings, &OpeningParams::clusterRadius_m>("openings.clusterRadius", "m", 0.01, 1, "DBSCAN radius of door instances.", "D3.6, 3.5; value: practice"),
         row<&P::openings, &OpeningParams::minimumDoorWidth_m>("openings.minimumDoorWidth", "m", 0.2, 5, "Narrower openings are no doors.", "practice: below the narrowest common leaf"),
         row<&P::openings, &OpeningParams::maximumDoorWidth_m>("openings.maximumDoorWidth", "m", 0.5, 20, "Wider openings are no doors.", "practice: above a double garage door's leaf pair"),

@@ -83,6 +83,7 @@ double liftToLowestFloor(SurfaceCells& cells, LevelResult& levels)
 Building reconstruct(const CloudView& cloud, const PipelineOptions& options, const Context& context)
 {
     const Parameters& p = options.parameters;
+    checkParameters(p);
     CloudView input = cloud;
     if (options.geometryOnly)
         input.labels = nullptr;
