@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// A BIM as a validation sees it: elements with a mesh, a plan and a height, from whatever file they came.
+#pragma once
+
+#include "core/model/building.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace s2b::validation
+{
+
+enum class ElementClass
+{
+    Wall,
+    Door,
+    Window,
+    Column,
+    Slab,
+    Space,
+};
+
+/// "wall", "door" ...: as reports and options name it.
+[[nodiscard]] const char* className(ElementClass elementClass);
+
+/// Triangles relative to Bim::origin [m].
+struct Mesh
+{
+    std::vector<Eigen::Vector3d> vertices;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// The centre line of a straight wall, relative to Bim::origin.
+struct WallAxis
+{
+    Eigen::Vector2d start = Eigen::Vector2d::Zero();
+    Eigen::Vector2d end = Eigen::Vector2d::Zero();
+    double thickness_m = 0.0;
+};
+
+/// What a survey saw of an element, where the truth file knows it (a simulated survey's own truth does); otherwise the
+/// points tell it.
+struct Visibility
+{
+    bool counts = true;               ///< false: seen too little to be asked for
+    bool isBothSidesSeen = false;     ///< of a wall
+    std::optional<double> bandLow_m;  ///< floor and ceiling of the storey: a survey knows nothing above and below
+    std::optional<double> bandHigh_m;
+};
+
+struct BimElement
+{
+    ElementClass elementClass = ElementClass::Wall;
+    std::string guid;
+    std::string name;
+    std::string type;  ///< "IfcWallStandardCase" ...
+    int storey = -1;   ///< index into Bim::storeys, -1 for none
+    int host = -1;     ///< of a door or window: index of its wall in Bim::elements, -1 for none
+    Mesh mesh;         ///< as built: walls with their openings
+    Polygon plan;      ///< what is compared: the oriented rectangle, a curved wall's outline, a round column's circle;
+                       ///< of a door or window the opening flush with its wall
+    double low_m = 0.0;
+    double high_m = 0.0;
+    std::optional<WallAxis> axis;          ///< of a straight wall
+    std::optional<Visibility> visibility;  ///< known only to a simulated survey's truth
+};
+
+struct BimStorey
+{
+    std::string guid;
+    std::string name;
+    double elevation_m = 0.0;  ///< relative to Bim::origin
+    bool isSurveyed = true;    ///< false: no station stood there, nothing of it is asked for
+};
+
+struct Bim
+{
+    std::string file;
+    std::string schema;                                ///< "IFC4", "CV4AEC" ...
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< world coordinates of the elements' zero
+    std::vector<BimStorey> storeys;                    ///< ascending elevation
+    std::vector<BimElement> elements;
+};
+
+}  // namespace s2b::validation
