@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,7 @@ struct BimElement
     Mesh mesh;         ///< as built: walls with their openings
     Polygon plan;      ///< what is compared: the oriented rectangle, a curved wall's outline, a round column's circle;
                        ///< of a door or window the opening flush with its wall
+    std::vector<Polygon> footprint;  ///< real outline in plan where it differs from `plan`; empty: it does not
     double low_m = 0.0;
     double high_m = 0.0;
     std::optional<WallAxis> axis;          ///< of a straight wall
@@ -86,5 +88,14 @@ struct Bim
     std::vector<BimStorey> storeys;                    ///< ascending elevation
     std::vector<BimElement> elements;
 };
+
+/// Middle of the box around all walls, columns and slabs (of all elements when there are none), world coordinates.
+[[nodiscard]] Eigen::Vector3d centerOf(const Bim& bim);
+
+/// Restricts a truth to some storeys: of the others nothing is asked for (BimStorey::isSurveyed).
+///
+/// @param names  each a storey's name or GUID; none: nothing changes.
+/// @throws Error{BadParameter} for a name that no storey has; it lists the storeys.
+void selectStoreys(Bim& bim, std::span<const std::string> names);
 
 }  // namespace s2b::validation

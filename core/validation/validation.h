@@ -87,8 +87,11 @@ struct ClassScore
     int notSeenCount = 0;
     std::optional<double> iou;           ///< mean over the truth, an element without a partner counts 0 (D3.6, 4.3)
     double iouMatched = 0.0;             ///< mean over the pairs
+    std::optional<double> iouFull;       ///< as iou, over the whole modelled heights
+    std::optional<double> iouNearest;    ///< as iou, the partner being the result with the nearest centre
     std::optional<double> iouBothSides;  ///< walls seen from both sides
-    Rates at25;                          ///< at IoU 0.25
+    int bothSidesCount = 0;
+    Rates at25;  ///< at IoU 0.25
     Rates at50;
     std::optional<double> volumetricIou;     ///< walls: union of all against union of all
     std::optional<double> centroid_m;        ///< mean of the matched pairs
@@ -134,6 +137,7 @@ struct Validation
 {
     std::map<ElementClass, ClassScore> scores;
     std::vector<ElementResult> elements;  ///< truth in its order, then result elements without a partner
+    std::optional<double> meanIou;        ///< mean of the wall, door and column IoU that there are
     std::vector<StoreyError> storeys;
     int extraStoreys = 0;
     std::optional<CloudDeviation> cloudToTruth;
