@@ -44,6 +44,12 @@ struct Pair
     double begin = 0, end = 0;
 };
 
+/// Bin of a place within the face.
+std::size_t binOf(const Face& face, double s)
+{
+    return std::min(face.rows.size() - 1, static_cast<std::size_t>(std::max(0.0, (s - face.begin) / Face::kBin_m)));
+}
+
 bool isParallel(const Face& a, const Face& b)
 {
     return std::abs(a.t.x() * b.t.y() - a.t.y() * b.t.x()) < std::sin(1.0 * kDegree);
@@ -90,58 +96,60 @@ std::vector<WallBody> pairFaces(const std::vector<Face>& faces, const PlanMask& 
     for (std::size_t i = 0; i < faces.size(); ++i)
         paired[i].assign(faces[i].rows.size(), 0);
 
-    for (std::uint32_t i = 0; i < faces.size(); ++i)
-    {
-        const Face& low = faces[i];
-        if (low.side > 0)
-            continue;
-        // For each place along the face: the nearest face behind it that looks the other way.
-        std::map<std::uint32_t, std::vector<double>> partner;
-        std::vector<std::pair<double, std::uint32_t>> behind;
-        for (std::uint32_t j = 0; j < faces.size(); ++j)
+    // First faces that look away from each other; then those of which one does and the other's side was only guessed.
+    for (const bool isSecond : {false, true})
+        for (std::uint32_t i = 0; i < faces.size(); ++i)
         {
-            const Face& high = faces[j];
-            const double d = high.offset - low.offset;
-            if (j == i || high.side < 0 || (low.side == 0 && high.side == 0) || !isParallel(low, high) ||
-                d < params.minimumThickness_m || d > params.maximumThickness_m)
+            const Face& low = faces[i];
+            if (low.side > 0 && !(isSecond && !low.isBesideRoom))
                 continue;
-            if (std::min(low.end, high.end) - std::max(low.begin, high.begin) < 0.15)
-                continue;
-            behind.emplace_back(d, j);
-        }
-        std::sort(behind.begin(), behind.end());
-        for (std::size_t b = 0; b < low.rows.size(); ++b)
-        {
-            const double s = low.begin + (static_cast<double>(b) + 0.5) * step;
-            for (const auto& [d, j] : behind)
+            // For each place along the face: the nearest face behind it that looks the other way.
+            std::map<std::uint32_t, std::vector<double>> partner;
+            std::vector<std::pair<double, std::uint32_t>> behind;
+            for (std::uint32_t j = 0; j < faces.size(); ++j)
             {
                 const Face& high = faces[j];
-                if (s < high.begin || s > high.end)
+                const double d = high.offset - low.offset;
+                const bool lowFits = low.side < 0, highFits = high.side > 0;
+                if (j == i || (high.side < 0 && !(isSecond && !high.isBesideRoom)) || (!lowFits && !highFits) ||
+                    !isParallel(low, high) || d < params.minimumThickness_m || d > params.maximumThickness_m)
                     continue;
-                const double inset = std::min(0.03, d / 4);
-                if (d > 0.12 && mask.freeShare(low.at(s - step), low.at(s + step), inset, d - inset) > 0.5)
-                    break;  // there is room between the two: not one wall, and nothing behind it either
-                partner[j].push_back(s);
-                break;
+                if (std::min(low.end, high.end) - std::max(low.begin, high.begin) < 0.15)
+                    continue;
+                behind.emplace_back(d, j);
             }
-        }
-        for (const auto& [j, places] : partner)
-        {
-            const Face& high = faces[j];
-            const double overlap = static_cast<double>(places.size()) * step;
-            const double possible = std::min(low.length(), high.length());
-            if (overlap < 0.25 && overlap < 0.6 * possible)
-                continue;
-            pairs.push_back({i, j, places.front() - step / 2, places.back() + step / 2});
-            for (const double s : places)
+            std::sort(behind.begin(), behind.end());
+            for (std::size_t b = 0; b < low.rows.size(); ++b)
             {
-                paired[i][std::min(paired[i].size() - 1, static_cast<std::size_t>((s - low.begin) / step))] = 1;
-                const auto k = static_cast<std::ptrdiff_t>((s - high.begin) / step);
-                if (k >= 0 && k < static_cast<std::ptrdiff_t>(paired[j].size()))
-                    paired[j][static_cast<std::size_t>(k)] = 1;
+                if (isSecond && paired[i][b])
+                    continue;
+                const double s = low.begin + (static_cast<double>(b) + 0.5) * step;
+                for (const auto& [d, j] : behind)
+                {
+                    const Face& high = faces[j];
+                    if (s < high.begin || s > high.end || (isSecond && paired[j][binOf(high, s)]))
+                        continue;
+                    const double inset = std::min(0.03, d / 4);
+                    if (d > 0.12 && mask.freeShare(low.at(s - step), low.at(s + step), inset, d - inset) > 0.5)
+                        break;  // there is room between the two: not one wall, and nothing behind it either
+                    partner[j].push_back(s);
+                    break;
+                }
+            }
+            for (const auto& [j, places] : partner)
+            {
+                const Face& high = faces[j];
+                const double overlap = static_cast<double>(places.size()) * step;
+                const double possible = std::min(low.length(), high.length());
+                if (overlap < 0.25 && overlap < 0.6 * possible)
+                    continue;
+                pairs.push_back({i, j, places.front() - step / 2, places.back() + step / 2});
+                for (const double s : places)
+                {
+                    paired[i][binOf(low, s)] = paired[j][binOf(high, s)] = 1;
+                }
             }
         }
-    }
 
     std::vector<WallBody> bodies;
     for (const Pair& p : pairs)
