@@ -116,13 +116,34 @@ std::string guidOf(const IfcUtil::IfcBaseClass* instance)
     return instance == nullptr ? std::string() : attributeText(instance, "GlobalId");
 }
 
+/// Whether a product is asked for.
+bool isWanted(const IfcUtil::IfcBaseClass* product, const ReadOptions& options)
+{
+    const auto& schema = *product->declaration().schema();
+    const auto isOf = [&](const std::string& type)
+    {
+        try
+        {
+            return product->declaration().is(*schema.declaration_by_name(type));
+        }
+        catch (const IfcParse::IfcException&)  // the schema has no such entity
+        {
+            return false;
+        }
+    };
+    return (options.types.empty() || std::any_of(options.types.begin(), options.types.end(), isOf)) &&
+           (options.guids.empty() || options.guids.contains(guidOf(product)));
+}
+
 /// The meshes by instance number. Of several representations of a product the one in the Body context counts.
 std::map<int, MeshElement> readMeshes(IfcParse::IfcFile& file, const ReadOptions& options, const Relations& relations,
                                       const std::optional<MapConversion>& toMap)
 {
     std::map<int, MeshElement> elements;
     std::map<int, std::string> contexts;
-    IfcGeom::Iterator iterator("opencascade", settingsOf(options), &file, 1);
+    const std::vector<IfcGeom::filter_t> filters{[&](IfcUtil::IfcBaseEntity* product)
+                                                 { return isWanted(product, options); }};
+    IfcGeom::Iterator iterator("opencascade", settingsOf(options), &file, filters, 1);
     if (!iterator.initialize())
         return elements;
     do
@@ -143,6 +164,7 @@ std::map<int, MeshElement> readMeshes(IfcParse::IfcFile& file, const ReadOptions
         element.predefinedType = attributeText(product, "PredefinedType");
         element.storeyGuid = guidOf(relations.storeyOf(product));
         element.hostGuid = guidOf(relations.hostOf(product));
+        element.openingGuid = guidOf(relations.openingOf(product));
         takeMesh(*source, toMap, element);
         elements[source->id()] = std::move(element);
     } while (iterator.next());
@@ -178,13 +200,14 @@ std::vector<StoreyInfo> readStoreys(IfcParse::IfcFile& file, ifcopenshell::geome
 }
 
 /// Elements that have a body in the file but none in the result.
-std::vector<std::string> missingMeshes(IfcParse::IfcFile& file, const std::map<int, MeshElement>& elements)
+std::vector<std::string> missingMeshes(IfcParse::IfcFile& file, const ReadOptions& options,
+                                       const std::map<int, MeshElement>& elements)
 {
     std::map<int, std::string> missing;
     for (const char* kind : {"IfcElement"})
         if (const auto instances = file.instances_by_type(kind))
             for (const IfcUtil::IfcBaseClass* instance : *instances)
-                if (attributeInstance(instance, "Representation") != nullptr &&
+                if (attributeInstance(instance, "Representation") != nullptr && isWanted(instance, options) &&
                     !elements.contains(static_cast<int>(instance->id())))
                     missing[static_cast<int>(instance->id())] = instance->declaration().name() + ' ' + guidOf(instance);
     std::vector<std::string> names;
@@ -205,7 +228,7 @@ IfcModel readOpened(IfcParse::IfcFile& file, const ReadOptions& options)
     const auto toMap = options.applyMapConversion ? model.mapConversion : std::nullopt;
     model.storeys = readStoreys(file, *mapping, toMap);
     std::map<int, MeshElement> elements = readMeshes(file, options, Relations(file), toMap);
-    model.withoutMesh = missingMeshes(file, elements);
+    model.withoutMesh = missingMeshes(file, options, elements);
     for (auto& [id, element] : elements)
         model.elements.push_back(std::move(element));
     return model;
@@ -240,7 +263,8 @@ IfcModel readIfc(const std::string& path, const ReadOptions& options)
         fail(path, "it is damaged, or holds geometry that can't be converted");
     }
     if (model.elements.empty())
-        fail(path, "it holds no geometry");
+        fail(path, options.types.empty() && options.guids.empty() ? "it holds no geometry"
+                                                                  : "it holds no geometry of the elements asked for");
     return model;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,8 @@ struct MeshElement
     std::string name;
     std::string predefinedType;
     std::string storeyGuid;      ///< of the containing storey, empty when there is none
-    std::string hostGuid;        ///< of the wall that a door or window sits in, empty when there is none
+    std::string hostGuid;        ///< of the wall that a door, window or opening sits in, empty when there is none
+    std::string openingGuid;     ///< of the opening that a door or window fills, empty when there is none
     bool isTransparent = false;  ///< a part of it is, by its surface style (a window's glass)
     std::vector<Eigen::Vector3d> vertices;
     std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -59,6 +61,8 @@ struct ReadOptions
     bool subtractOpenings = true;  ///< walls with their holes
     bool applyMapConversion =
         false;  ///< map coordinates instead of the model's own, where the file has an IfcMapConversion
+    std::vector<std::string> types = {};  ///< only products of these entities ("IfcWall") and their subtypes; none: all
+    std::set<std::string> guids = {};     ///< only these products; none: all
 };
 
 /// Reads any IFC2X3, IFC4 or IFC4X3 file's product geometry through IfcGeom with OpenCASCADE, in metres.

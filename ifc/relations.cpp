@@ -143,14 +143,21 @@ Instance Relations::storeyOf(Instance element) const
 
 Instance Relations::hostOf(Instance element) const
 {
-    if (const Instance opening = find(m_openings, element))
+    if (const Instance opening = openingOf(element))
         return find(m_voided, opening);
+    if (element->declaration().is("IfcOpeningElement"))
+        return find(m_voided, element);
     if (!element->declaration().is("IfcDoor") && !element->declaration().is("IfcWindow"))
         return nullptr;
     const Instance whole = find(m_wholes, element);
     if (whole == nullptr || (!whole->declaration().is("IfcWall") && !whole->declaration().is("IfcCurtainWall")))
         return nullptr;
     return whole;
+}
+
+Instance Relations::openingOf(Instance element) const
+{
+    return find(m_openings, element);
 }
 
 std::optional<MapConversion> mapConversionOf(IfcParse::IfcFile& file, double lengthUnit_m)

@@ -37,8 +37,11 @@ public:
 
     /// The storey that an element is in, through the elements that it is a part of or fills; null when there is none.
     [[nodiscard]] const IfcUtil::IfcBaseClass* storeyOf(const IfcUtil::IfcBaseClass* element) const;
-    /// The element whose opening a door or window fills, or the wall or curtain wall it is a part of; else null.
+    /// The element that an opening voids, whose opening a door or window fills, or the wall or curtain wall that these
+    /// are a part of; else null.
     [[nodiscard]] const IfcUtil::IfcBaseClass* hostOf(const IfcUtil::IfcBaseClass* element) const;
+    /// The opening that a door or window fills; null when there is none.
+    [[nodiscard]] const IfcUtil::IfcBaseClass* openingOf(const IfcUtil::IfcBaseClass* element) const;
 
 private:
     using Parents = std::map<unsigned, const IfcUtil::IfcBaseClass*>;  // by the child's instance number

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cstdio>
 #include <string_view>
 
 namespace s2b::validation
@@ -14,6 +15,10 @@ namespace s2b::validation
 
 namespace
 {
+
+/// A building's walls, columns and doors are so high; in the wrong unit they are not.
+constexpr double kLowest_m = 0.05;
+constexpr double kHighest_m = 100.0;
 
 bool isBody(ElementClass elementClass)
 {
@@ -63,6 +68,26 @@ void selectStoreys(Bim& bim, std::span<const std::string> names)
     }
     for (std::size_t i = 0; i < bim.storeys.size(); ++i)
         bim.storeys[i].isSurveyed = bim.storeys[i].isSurveyed && isChosen[i];
+}
+
+void checkSizes(const Bim& bim)
+{
+    std::vector<double> heights;
+    for (const BimElement& e : bim.elements)
+        if (e.elementClass == ElementClass::Wall || e.elementClass == ElementClass::Column ||
+            e.elementClass == ElementClass::Door)
+            heights.push_back(e.high_m - e.low_m);
+    if (heights.empty())
+        return;
+    const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+    std::nth_element(heights.begin(), middle, heights.end());
+    if (*middle >= kLowest_m && *middle <= kHighest_m)
+        return;
+    char height[32];
+    std::snprintf(height, sizeof height, "%.3g m", *middle);
+    throw Error(ErrorCode::BadFile, "can't use " + bim.file + ": its walls, columns and doors are typically " + height +
+                                        " high, so its length unit is wrong, probably by 1000; correct the unit in the "
+                                        "file");
 }
 
 }  // namespace s2b::validation

@@ -98,4 +98,8 @@ struct Bim
 /// @throws Error{BadParameter} for a name that no storey has; it lists the storeys.
 void selectStoreys(Bim& bim, std::span<const std::string> names);
 
+/// @throws Error{BadFile} when walls, columns and doors are typically lower than 5 cm or higher than 100 m: a file
+/// whose length unit is wrong by 1000.
+void checkSizes(const Bim& bim);
+
 }  // namespace s2b::validation
