@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/report/plan_view.h"
+#include "core/report/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace s2b::report
+{
+
+/// The drawings of the page, in its order.
+struct Drawings
+{
+    std::vector<Drawing> plans;
+    std::vector<Drawing> deviations;
+    std::vector<Drawing> walls;
+};
+
+/// report.html: one page without any external resource, for the screen and for A4 paper.
+[[nodiscard]] std::string makeHtml(const ReportInput& input, const Scene& scene, const Drawings& drawings);
+
+}  // namespace s2b::report
