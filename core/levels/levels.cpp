@@ -321,7 +321,11 @@ LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, con
     {
         Level& level = result.levels[i];
         if (level.ceilingSeen)
+        {
+            if (i + 1 < result.levels.size() && result.levels[i + 1].floor_m > level.ceiling_m)
+                level.ceilingLimit_m = (level.ceiling_m + result.levels[i + 1].floor_m) / 2;
             continue;
+        }
         const double limit =
             i + 1 < result.levels.size() ? result.levels[i + 1].floor_m : level.floor_m + params.maximumRoomHeight_m;
         if (!std::isfinite(level.ceiling_m) || level.ceiling_m > limit)

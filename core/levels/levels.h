@@ -5,6 +5,7 @@
 #include "core/cloud/surface_cells.h"
 #include "core/model/building.h"
 
+#include <limits>
 #include <vector>
 
 namespace s2b
@@ -30,6 +31,8 @@ struct Level
     double floorArea_m2 = 0.0;
     double ceilingArea_m2 = 0.0;
     double floorRms_m = 0.0;
+    /// Highest z at which a surface is still this storey's ceiling: below the next floor's surface.
+    double ceilingLimit_m = std::numeric_limits<double>::infinity();
 };
 
 struct LevelResult

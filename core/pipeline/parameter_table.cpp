@@ -54,6 +54,8 @@ const std::vector<ParameterInfo>& parameterTable()
         row<&P::walls, &WallParams::defaultThickness_m>("walls.defaultThickness", "m", 0.01, 3, "Assumed thickness of a wall with one face seen.", "practice: a common interior wall"),
         row<&P::walls, &WallParams::defaultExternalThickness_m>("walls.defaultExternalThickness", "m", 0.01, 3, "Assumed thickness of an external wall with one face seen.", "practice: a common external wall"),
         row<&P::walls, &WallParams::minimumLength_m>("walls.minimumLength", "m", 0.05, 10, "Shorter walls are dropped.", "D3.6, 6.2 (dimension threshold); value: practice"),
+        row<&P::walls, &WallParams::minimumFreeLength_m>("walls.minimumFreeLength", "m", 0, 10, "Shorter walls that meet no other are dropped: columns and furniture.", "practice: the largest common column"),
+        row<&P::walls, &WallParams::minimumCoverage>("walls.minimumCoverage", "1", 0, 1, "Smallest share of a wall's better seen side that shows a surface.", "measured: planes of stray points reach 0.17, walls of the simulated surveys begin at 0.28"),
         row<&P::walls, &WallParams::minimumHeight_m>("walls.minimumHeight", "m", 0.1, 10, "Lower walls are dropped.", "D3.6, 6.2 (dimension threshold); value: practice, a parapet stays"),
         row<&P::walls, &WallParams::mergeGap_m>("walls.mergeGap", "m", 0, 5, "Largest gap between collinear pieces of one wall.", "D3.6, 3.4.4 and 6.2 (merging); value: practice"),
         row<&P::walls, &WallParams::mergeUnseen_m>("walls.mergeUnseen", "m", 0, 20, "Largest hidden gap that collinear pieces are joined across, each longer than it.", "practice: a cupboard or a stair in front of a wall"),

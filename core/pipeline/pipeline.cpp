@@ -72,7 +72,7 @@ double liftToLowestFloor(SurfaceCells& cells, LevelResult& levels)
     for (SurfaceCell& c : cells.cells)
         c.position.z() = static_cast<float>(static_cast<double>(c.position.z()) - lowest);
     for (Level& l : levels.levels)
-        l.floor_m -= lowest, l.ceiling_m -= lowest;
+        l.floor_m -= lowest, l.ceiling_m -= lowest, l.ceilingLimit_m -= lowest;
     for (Diagnostic& d : levels.diagnostics)
         d.location.z() -= lowest;
     return lowest;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/walls/evidence.h"
 #include "core/walls/faces.h"
 #include "core/walls/heights.h"
 #include "core/walls/parallel_planes.h"
@@ -8,7 +9,6 @@
 #include "core/walls/walls.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <format>
 
@@ -16,37 +16,6 @@ namespace s2b
 {
 namespace
 {
-
-Evidence evidenceOf(const WallBody& body, const std::vector<Face>& faces, double height)
-{
-    Evidence e;
-    e.facesSeen = body.lowSeen + body.highSeen;
-    double weight = 0, square = 0, label = 0;
-    // The left face (seen from start to end) is the high one.
-    const std::array<const std::vector<std::uint32_t>*, 2> sides{&body.highFaces, &body.lowFaces};
-    for (std::size_t side = 0; side < 2; ++side)
-    {
-        double covered = 0;
-        for (const std::uint32_t f : *sides[side])
-        {
-            const Face& face = faces[f];
-            e.points += face.points;
-            weight += face.area_m2;
-            square += face.area_m2 * face.rms_m * face.rms_m;
-            label += face.area_m2 * face.wallShare;
-            for (std::size_t b = 0; b < face.rows.size(); ++b)
-            {
-                const double s = face.begin + (static_cast<double>(b) + 0.5) * Face::kBin_m;
-                if (s > body.begin && s < body.end)
-                    covered += std::popcount(face.rows[b]) * Face::kRow_m * Face::kBin_m;
-            }
-        }
-        e.faceCoverage[side] = std::clamp(covered / std::max(0.01, (body.end - body.begin) * height), 0.0, 1.0);
-    }
-    if (weight > 0)
-        e.rms_m = std::sqrt(square / weight), e.labelShare = label / weight;
-    return e;
-}
 
 /// 1 when nothing of the building was seen on exactly one side, 0 when both sides show room, -1 when it can't be said.
 int externalOf(const WallBody& body, const PlanMask& mask)
@@ -74,8 +43,10 @@ WallResult findWalls(const SurfaceCells& cells, const CellIndex& index, const Le
     settleThickness(bodies, cells, index, level, mask, params);
     bodies = mergeBodies(std::move(bodies), mask, params);
     bodies = settleHeights(std::move(bodies), faces, level, mask);
+    std::erase_if(bodies, [&](const WallBody& b) { return seenShare(b, faces) < params.minimumCoverage; });
     context.checkCancelled();
-    const Plan plan = connectWalls(std::move(bodies), mask, params);
+    Plan plan = connectWalls(std::move(bodies), mask, params);
+    dropFreePieces(plan, params.minimumFreeLength_m);
 
     std::vector<ElementId> idOf(plan.walls.size());
     for (std::size_t i = 0; i < plan.walls.size(); ++i)
@@ -97,7 +68,7 @@ WallResult findWalls(const SurfaceCells& cells, const CellIndex& index, const Le
         w.base_m = p.body.bottom;
         w.height = {height, level.ceilingSeen || !reachesCeiling ? Provenance::Measured : Provenance::Assumed,
                     level.floorRms_m};
-        w.evidence = evidenceOf(p.body, faces, height);
+        w.evidence = evidenceOf(p.body, faces);
         w.thickness = {p.body.thickness(), p.body.bothSeen() ? Provenance::Measured : Provenance::Assumed,
                        w.evidence.rms_m};
         const int external = externalOf(p.body, mask);

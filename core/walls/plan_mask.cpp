@@ -23,7 +23,9 @@ std::uint8_t layerOf(const SurfaceCells& cells, const SurfaceCell& c, const Leve
     if (nz > 0.9 && std::abs(z - level.floor_m) < 0.10)
         return PlanMask::Floor;
     if (level.ceilingSeen)
-        return nz > 0.9 && z > level.ceiling_m - 0.15 && z < level.ceiling_m + 0.15 ? PlanMask::Ceiling : 0;
+        return nz > 0.9 && z > level.ceiling_m - 0.15 && z < std::min(level.ceiling_m + 0.15, level.ceilingLimit_m)
+                   ? PlanMask::Ceiling
+                   : 0;
     return z > level.floor_m + 1.4 && nz < 0.97 ? PlanMask::Ceiling : 0;  // a sloped ceiling
 }
 

@@ -266,4 +266,22 @@ Plan connectWalls(std::vector<WallBody> bodies, const PlanMask& mask, const Wall
     return plan;
 }
 
+void dropFreePieces(Plan& plan, double minimumFreeLength_m)
+{
+    std::vector<char> meets(plan.walls.size(), 0);
+    for (const BodyJunction& j : plan.junctions)
+        meets[j.wall] = meets[j.other] = 1;
+    std::vector<std::uint32_t> place(plan.walls.size(), 0);
+    std::vector<PlanWall> kept;
+    for (std::size_t i = 0; i < plan.walls.size(); ++i)
+        if (meets[i] || plan.walls[i].body.end - plan.walls[i].body.begin >= minimumFreeLength_m)
+        {
+            place[i] = static_cast<std::uint32_t>(kept.size());
+            kept.push_back(std::move(plan.walls[i]));
+        }
+    plan.walls = std::move(kept);
+    for (BodyJunction& j : plan.junctions)
+        j.wall = place[j.wall], j.other = place[j.other];
+}
+
 }  // namespace s2b

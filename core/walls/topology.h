@@ -40,4 +40,7 @@ struct Plan
 /// the other's face (docs/conventions.md). Size limits (D3.6, 6.2) drop what is no wall.
 [[nodiscard]] Plan connectWalls(std::vector<WallBody> bodies, const PlanMask& mask, const WallParams& params);
 
+/// Removes walls shorter than the limit that meet no other: those are columns, or furniture.
+void dropFreePieces(Plan& plan, double minimumFreeLength_m);
+
 }  // namespace s2b

@@ -24,12 +24,14 @@ struct WallParams
     double maximumThickness_m = 0.60;  ///< largest distance of parallel planes of one wall; D3.6, 3.4.3
     double defaultThickness_m = 0.20;  ///< of a wall with one face seen and nothing that says more; D3.6, 1.2
     double defaultExternalThickness_m = 0.30;
-    double minimumLength_m = 0.30;  ///< D3.6, 6.2: size limits
-    double minimumHeight_m = 0.50;  ///< D3.6, 6.2: size limits
-    double mergeGap_m = 0.45;       ///< largest gap between collinear pieces of one wall; D3.6, 3.4.4
-    double mergeUnseen_m = 4.0;     ///< largest hidden gap between collinear pieces, each longer than it
-    double mergeOffset_m = 0.03;    ///< largest offset between collinear pieces of one wall
-    double closeGap_m = 0.60;       ///< largest gap that is closed at a corner; D3.6, 3.4.4
+    double minimumLength_m = 0.30;      ///< D3.6, 6.2: size limits
+    double minimumFreeLength_m = 0.60;  ///< of a wall that meets no other
+    double minimumCoverage = 0.20;      ///< share of the better seen side with points
+    double minimumHeight_m = 0.50;      ///< D3.6, 6.2: size limits
+    double mergeGap_m = 0.45;           ///< largest gap between collinear pieces of one wall; D3.6, 3.4.4
+    double mergeUnseen_m = 4.0;         ///< largest hidden gap between collinear pieces, each longer than it
+    double mergeOffset_m = 0.03;        ///< largest offset between collinear pieces of one wall
+    double closeGap_m = 0.60;           ///< largest gap that is closed at a corner; D3.6, 3.4.4
     bool operator==(const WallParams&) const = default;
 };
 
