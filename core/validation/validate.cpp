@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/validation/class_score.h"
+#include "core/validation/loa.h"
+#include "core/validation/overlap.h"
 #include "core/validation/storeys.h"
+#include "core/validation/surface_survey.h"
 #include "core/validation/validation.h"
+#include "core/validation/visibility.h"
 
 #include <algorithm>
 
@@ -53,12 +57,25 @@ std::optional<double> meanIou(const std::map<ElementClass, ClassScore>& scores)
 Validation validate(const Bim& truth, const Bim& result, const CloudView* cloud, const ValidationParams& params,
                     const Context& context)
 {
-    (void)cloud;
+    checkParams(params);
+    checkOverlap(truth, result, cloud);
     Validation validation;
-    gather(validation, truth, result, params, context);
+    Bim seen = truth;
+    if (cloud != nullptr)
+    {
+        context.report("Distances to the truth", 0.0);
+        SurfaceSurvey survey = surveySurfaces(truth, *cloud, params, false, context);
+        judgeVisibility(seen, survey, params);
+        validation.cloudToTruth = std::move(survey.deviation);
+        context.report("Distances to the result", 0.4);
+        validation.cloudToResult = measureDeviation(result, *cloud, params, false, context);
+    }
+    context.report("Matching", 0.8);
+    gather(validation, seen, result, params, context);
     validation.meanIou = meanIou(validation.scores);
-    validation.storeys = compareStoreys(truth, result);
-    validation.extraStoreys = extraStoreys(truth, result);
+    validation.storeys = compareStoreys(seen, result);
+    validation.extraStoreys = extraStoreys(seen, result);
+    context.report("Matching", 1.0);
     return validation;
 }
 
