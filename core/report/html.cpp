@@ -342,8 +342,6 @@ std::string makeHtml(const ReportInput& input, const Scene& scene, const Drawing
     Fields page;
     addHead(page, input, scene);
     addFiles(page, input);
-    if (input.truth)
-        page.add("WITH_TRUTH");
     addClasses(page, input, scene);
     addStoreys(page, input, scene);
     page.set("DEFINITIONS", sharedDefinitions());

@@ -182,7 +182,7 @@ Drawing drawDeviations(const Scene& scene, const Level& level, const StoreyRaste
 
     // Faces are lines in a top view: each cell is drawn as wide as the eye can tell colours apart.
     Raster drawn = raster;
-    constexpr double kLine_mm = 0.7;
+    constexpr double kLine_mm = 0.8;
     const double cell_m = kLine_mm * sheet.scale() / 1000.0;
     if (!isFloor && raster.cell_m < cell_m)
     {
@@ -321,7 +321,7 @@ std::string colorBar(const Scene& scene)
     }
     svg +=
         "<text x=\"0\" y=\"10.8\" class=\"axis\">inside the element</text><text x=\"90\" y=\"10.8\" class=\"axis\" "
-        "text-anchor=\"end\">outside, in front of its surface</text><text x=\"92.5\" y=\"8\" class=\"axis\"> "
+        "text-anchor=\"end\">outside, in front of its surface</text><text x=\"95\" y=\"8\" class=\"axis\">"
         "mm</text></svg>\n";
     return svg;
 }

@@ -14,6 +14,8 @@ constexpr double kEdge_m = 1.0;  ///< pictures reach this far over the elements
 constexpr double kSliceCell_m = 0.02;
 constexpr double kFaceCell_m = 0.025;
 constexpr double kWallCell_m = 0.025;
+constexpr double kLargestWallCell_m = 0.25;
+constexpr double kPointsPerCell = 4.0;
 constexpr double kFloorCell_m = 0.10;
 constexpr double kFloorStep_m = 0.30;  ///< a slab's points this near to the floor are the floor's
 constexpr std::size_t kChunk = 1U << 16U;
@@ -144,8 +146,13 @@ StoreyRasters rasterize(const ReportInput& input, const Scene& scene, const Leve
         {
             const Eigen::AlignedBox2d face(Eigen::Vector2d(0.0, 0.0),
                                            Eigen::Vector2d(wall.length_m, wall.high_m - wall.low_m));
-            wall.left = Raster::over(face, kWallCell_m);
-            wall.right = Raster::over(face, kWallCell_m);
+            const Row& row = scene.rows[static_cast<std::size_t>(wall.row)];
+            const double sides_m2 = 2.0 * face.volume();
+            // Large enough for a few points in each: a face should show as a surface.
+            const double cell_m =
+                row.toResult ? std::sqrt(kPointsPerCell * sides_m2 / static_cast<double>(row.toResult->points + 1)) : 0.0;
+            wall.left = Raster::over(face, std::clamp(cell_m, kWallCell_m, kLargestWallCell_m));
+            wall.right = wall.left;
             wallOf[static_cast<std::size_t>(scene.rows[static_cast<std::size_t>(wall.row)].pair.result)] = &wall;
         }
     }

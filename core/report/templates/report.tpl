@@ -80,12 +80,11 @@ svg .notseen { fill: none; stroke: #8a8a8a; stroke-width: 0.35; stroke-dasharray
 svg .slab { fill: none; stroke-width: 0.2; }
 svg .slab.within, svg .slab.nodata { stroke: #b4bcc6; }
 svg .truth { fill: none; stroke: #111; stroke-width: 0.22; stroke-dasharray: 1.1 0.7; }
-svg .outline { fill: none; stroke: #6a7480; stroke-width: 0.12; }
+svg .outline { fill: none; stroke: #8a94a0; stroke-width: 0.08; }
 svg .badge { fill: #fff; stroke: #1d252e; stroke-width: 0.25; }
 svg .badgetext { font-size: 2.4px; font-weight: 700; fill: #1d252e; }
 .sign { display: flex; gap: 10mm; margin-top: 14mm; break-inside: avoid; }
 .sign div { flex: 1; border-top: 0.25mm solid var(--ink); padding-top: 1mm; font-size: 8pt; color: var(--soft); }
-.page { break-before: page; }
 @media print { body { background: #fff; } main { max-width: none; margin: 0; padding: 0; box-shadow: none; } }
 </style>
 </head>
@@ -144,13 +143,13 @@ svg .badgetext { font-size: 2.4px; font-weight: 700; fill: #1d252e; }
 {{/STOREYS}}
 
 {{#PLANS}}
-<h2 class="page">Plans</h2>
+<h2>Plans</h2>
 {{LEGEND:none}}
 {{#FIGURE}}<figure>{{SVG:none}}<figcaption>{{CAPTION:h}}</figcaption></figure>
 {{/FIGURE}}
 {{/PLANS}}
 
-<h2 class="page">Elements, worst first</h2>
+<h2>Elements, worst first</h2>
 <table class="elements"><thead>
 <tr><th rowspan="2">No.</th><th class="l" rowspan="2">Class</th><th class="l" rowspan="2">GUID, name</th><th class="l" rowspan="2">Storey</th><th class="group g" colspan="4">against the truth [mm]</th><th class="group g" colspan="3">points [mm]</th><th class="l g" rowspan="2">LOA</th><th class="l" rowspan="2">Verdict</th></tr>
 <tr><th class="g">IoU</th><th>place</th><th>thick.</th><th>height</th><th class="g">mean</th><th>95&#8239;%</th><th>cover</th></tr></thead><tbody>
@@ -160,7 +159,7 @@ svg .badgetext { font-size: 2.4px; font-weight: 700; fill: #1d252e; }
 <p class="note">Place: the larger distance of the axes' ends of a wall, else of the centres. Thickness and height: result less truth. Mean: signed, positive in front of the surface. Cover: share of the element's visible surface with points.</p>
 
 {{#DEVIATIONS}}
-<h2 class="page">Deviations of the points</h2>
+<h2>Deviations of the points</h2>
 {{LEGEND:none}}
 {{#FIGURE}}<figure>{{SVG:none}}<figcaption>{{CAPTION:h}}</figcaption></figure>
 {{/FIGURE}}
@@ -170,7 +169,7 @@ svg .badgetext { font-size: 2.4px; font-weight: 700; fill: #1d252e; }
 <figure>{{SVG:none}}<figcaption>{{CAPTION:h}}</figcaption></figure>
 {{/HISTOGRAM}}
 {{#WALLS}}
-<h2 class="page">Faces of the worst walls</h2>
+<h2>Faces of the worst walls</h2>
 {{LEGEND:none}}
 {{#FIGURE}}<figure class="pair">{{SVG:none}}<figcaption>{{CAPTION:h}}</figcaption></figure>
 {{/FIGURE}}
