@@ -4,6 +4,7 @@
 
 #include "core/labels/label.h"
 #include "core/pipeline/pipeline.h"
+#include "core/validation/validation.h"
 
 #include <QString>
 #include <QStringList>
@@ -20,9 +21,21 @@ namespace s2b
 		QString         labelField; //!< empty: the usual names are looked for
 		LabelMap        labelMap;
 		QString         ifcPath; //!< empty: <cloud>.ifc beside the cloud
-		QString         schema  = "IFC4";
-		unsigned        threads = 0; //!< 0: all
-		std::uint64_t   seed    = 1;
+		QString         schema      = "IFC4";
+		unsigned        threads     = 0; //!< 0: all
+		std::uint64_t   seed        = 1;
+		bool            reconstruct = true; //!< false: -STAGES none, the IFC file is there already and only read
+
+		QString                      truthPath;    //!< empty: no ground truth
+		QStringList                  storeys;      //!< of the truth; empty: all
+		QString                      reportFolder; //!< empty: beside the IFC file
+		validation::ValidationParams validation;
+
+		//! Whether anything is to be measured
+		bool validates() const
+		{
+			return !truthPath.isEmpty() || !reportFolder.isEmpty() || !reconstruct;
+		}
 	};
 
 	//! One row of the table

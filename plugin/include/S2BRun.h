@@ -7,6 +7,7 @@
 #include "ifc/ifc_writer.h"
 
 #include <QString>
+#include <mutex>
 
 namespace s2b
 {
@@ -14,7 +15,13 @@ namespace s2b
 	/** The time is SOURCE_DATE_EPOCH if that is set, or a constant. **/
 	ifc::WriteOptions writeOptions(const PipelineOptions& run, std::uint64_t seed, const QString& projectName, const QString& schema);
 
+	//! "2023-11-14T22:13:20" of SOURCE_DATE_EPOCH, empty where that is not set
+	std::string reproducibleTime();
+
 	//! Writes the building
 	/** \throws Error when the file can't be written; nothing is left then **/
 	void writeModel(const Building& building, const QString& path, const ifc::WriteOptions& options);
+
+	//! Held while IFC is read or written: the library does not take two at a time
+	std::mutex& ifcMutex();
 } // namespace s2b

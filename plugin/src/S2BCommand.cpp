@@ -8,6 +8,8 @@
 #include "S2BOptions.h"
 #include "S2BRun.h"
 #include "S2BSummary.h"
+#include "S2BValidate.h"
+#include "core/report/scene.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -104,22 +106,110 @@ namespace s2b
 			}
 		}
 
-		void run(ccCommandLineInterface& cmd)
-		{
-			const CommandOptions options = parseCommandOptions(cmd.arguments(), [&](const QString& keyword)
-			                                                   { return isCommand(cmd, keyword); });
-			if (cmd.clouds().empty())
-				throw Error(ErrorCode::EmptyCloud, "there is no point cloud: open one before -S2B with -O FILE");
+		constexpr double kReconstructed = 0.7; // share of the time, when the model is validated too
+		constexpr double kCompared      = 0.9;
 
-			const StepMeter                  meter;
+		std::vector<const ccPointCloud*> openedClouds(ccCommandLineInterface& cmd)
+		{
 			std::vector<const ccPointCloud*> clouds;
 			for (const CLCloudDesc& desc : cmd.clouds())
 			{
 				checkComplete(desc);
 				clouds.push_back(desc.pc);
 			}
-			const CLCloudDesc first = cmd.clouds().front();
-			const QString     path  = options.ifcPath.isEmpty() ? defaultIfcPath(first) : options.ifcPath;
+			return clouds;
+		}
+
+		// Copies beside the clouds that were opened, for the commands that follow; without any nobody could save them.
+		void addDeviationClouds(ccCommandLineInterface& cmd, const ValidationOutcome& outcome)
+		{
+			if (cmd.arguments().isEmpty() || !outcome.figures.cloudToResult)
+				return;
+			const double             limit_m = report::makeScene(reportInput(outcome, nullptr, {})).colorRange_m;
+			std::vector<CLCloudDesc> copies;
+			std::size_t              first = 0;
+			for (const CLCloudDesc& desc : cmd.clouds())
+			{
+				auto copy = deviationCopy(*desc.pc, *outcome.figures.cloudToResult, first, limit_m);
+				first += desc.pc->size();
+				copies.emplace_back(copy.release(), desc.basename + "_S2B_DEVIATION", desc.path);
+			}
+			cmd.clouds().insert(cmd.clouds().end(), copies.begin(), copies.end());
+		}
+
+		void finishValidation(ccCommandLineInterface& cmd, const ValidationOutcome& outcome, const CloudView* cloud, const ReportText& text, const QString& folder, const Context& context)
+		{
+			report::writeReport(reportInput(outcome, cloud, text), QFile::encodeName(folder).toStdString(), context);
+			for (const QString& line : validationSummary(outcome))
+				cmd.print("[S2B] " + line);
+			cmd.print(QString("[S2B] wrote %1").arg(QDir(folder).filePath("report.html")));
+			addDeviationClouds(cmd, outcome);
+		}
+
+		QString cloudNames(const ccCommandLineInterface& cmd)
+		{
+			QStringList names;
+			for (const CLCloudDesc& desc : cmd.clouds())
+				names << desc.basename;
+			return names.join(", ");
+		}
+
+		// -STAGES none: nothing is reconstructed, what is there is compared.
+		void compareOnly(ccCommandLineInterface& cmd, const CommandOptions& options)
+		{
+			if (cmd.clouds().empty() && (options.ifcPath.isEmpty() || options.truthPath.isEmpty()))
+				throw Error(ErrorCode::BadParameter, "there is nothing to compare the model with: give both -IFC FILE and -VALIDATE FILE, or open a point cloud before -S2B with -O FILE");
+
+			const StepMeter  meter;
+			const Context    context = makeContext(cmd, options);
+			Input            input;
+			const CloudView* cloud = nullptr;
+			if (!cmd.clouds().empty())
+			{
+				input = makeInput(openedClouds(cmd), {false, {}, {}});
+				cloud = &input.view;
+			}
+			std::optional<Eigen::Vector3d> near;
+			if (cloud)
+				near = middleOf(*cloud);
+			context.report("Reading the models", 0.0);
+			std::optional<validation::Bim> truth;
+			if (!options.truthPath.isEmpty())
+				truth = readGroundTruth(options.truthPath, near, options.storeys, context);
+			if (truth && !near)
+				near = validation::centerOf(*truth);
+			// One model alone is measured against the points, whichever option named it.
+			validation::Bim result;
+			QString         base = options.ifcPath;
+			if (!options.ifcPath.isEmpty())
+				result = readModel(options.ifcPath, near, context);
+			else
+			{
+				result = std::move(*truth);
+				truth.reset();
+				base = defaultIfcPath(cmd.clouds().front());
+			}
+			if (cloud)
+			{
+				checkPlace(result, *cloud, cloudNames(cmd));
+				if (truth)
+					checkPlace(*truth, *cloud, cloudNames(cmd));
+			}
+			const ValidationOutcome outcome = compareModels(std::move(truth), std::move(result), cloud, options.validation, partOf(context, 0.2, kCompared));
+			const QString           folder  = options.reportFolder.isEmpty() ? defaultReportFolder(base) : options.reportFolder;
+			finishValidation(cmd, outcome, cloud, {cloudNames(cmd), nullptr, {}}, folder, partOf(context, kCompared, 1.0));
+			cmd.print("[S2B] " + meter.text());
+		}
+
+		void reconstructAll(ccCommandLineInterface& cmd, const CommandOptions& options)
+		{
+			if (cmd.clouds().empty())
+				throw Error(ErrorCode::EmptyCloud, "there is no point cloud: open one before -S2B with -O FILE");
+
+			const StepMeter                        meter;
+			const std::vector<const ccPointCloud*> clouds = openedClouds(cmd);
+			const CLCloudDesc                      first  = cmd.clouds().front();
+			const QString                          path   = options.ifcPath.isEmpty() ? defaultIfcPath(first) : options.ifcPath;
 
 			const Input input = makeInput(clouds, {!options.pipeline.geometryOnly, options.labelField, options.labelMap});
 			cmd.print(QString("[S2B] %1 points in %2").arg(input.view.count).arg(clouds.size() == 1 ? QString("one cloud") : QString("%1 clouds, taken together").arg(clouds.size())));
@@ -128,13 +218,30 @@ namespace s2b
 			if (!input.labelField.isEmpty())
 				cmd.print("[S2B] " + labelSummary(input, QString::fromStdString(options.labelMap.name)));
 
-			const Building building = reconstruct(input.view, options.pipeline, makeContext(cmd, options));
-			writeModel(building, path, writeOptions(options.pipeline, options.seed, first.basename, options.schema));
+			// A truth that can't be used is found out before the work, not after it.
+			const Context                  context = makeContext(cmd, options);
+			std::optional<validation::Bim> truth;
+			if (!options.truthPath.isEmpty())
+			{
+				truth = readGroundTruth(options.truthPath, middleOf(input.view), options.storeys, context);
+				checkPlace(*truth, input.view, cloudNames(cmd));
+			}
+
+			const Building          building = reconstruct(input.view, options.pipeline, options.validates() ? partOf(context, 0.0, kReconstructed) : context);
+			const ifc::WriteOptions record   = writeOptions(options.pipeline, options.seed, first.basename, options.schema);
+			writeModel(building, path, record);
 
 			printDiagnostics(cmd, building);
 			for (const QString& line : summary(building))
 				cmd.print("[S2B] " + line);
 			cmd.print(QString("[S2B] wrote %1").arg(path));
+			if (options.validates())
+			{
+				// What is measured is the file that was written, as everybody else will read it.
+				const ValidationOutcome outcome = compareModels(std::move(truth), readModel(path, middleOf(input.view), context), &input.view, options.validation, partOf(context, kReconstructed, kCompared));
+				const QString           folder  = options.reportFolder.isEmpty() ? defaultReportFolder(path) : options.reportFolder;
+				finishValidation(cmd, outcome, &input.view, {cloudNames(cmd), &building, record.parameters}, folder, partOf(context, kCompared, 1.0));
+			}
 			cmd.print("[S2B] " + meter.text());
 
 			for (NamedMesh& element : makeMeshes(building, *clouds.front()))
@@ -142,6 +249,16 @@ namespace s2b
 				ccMesh* mesh = element.mesh.release();
 				cmd.meshes().emplace_back(mesh, first.basename + '_' + element.name, first.path);
 			}
+		}
+
+		void run(ccCommandLineInterface& cmd)
+		{
+			const CommandOptions options = parseCommandOptions(cmd.arguments(), [&](const QString& keyword)
+			                                                   { return isCommand(cmd, keyword); });
+			if (options.reconstruct)
+				reconstructAll(cmd, options);
+			else
+				compareOnly(cmd, options);
 		}
 	} // namespace
 } // namespace s2b

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "S2BOptions.h"
 
+#include "S2BValidationParameters.h"
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 
@@ -52,6 +53,52 @@ namespace s2b
 			return file.absoluteFilePath();
 		}
 
+		// A truth may be a file, or a folder of the CV4AEC challenge's files.
+		QString readablePath(const char* option, const QString& text)
+		{
+			const QFileInfo file(text);
+			if (!file.exists())
+				fail(QString("-%1 '%2' does not exist: give a file to read").arg(option, text), ErrorCode::BadFile);
+			if (!file.isReadable())
+				fail(QString("-%1 '%2' can't be read: no permission for it").arg(option, text), ErrorCode::BadFile);
+			return file.absoluteFilePath();
+		}
+
+		QString reportFolder(const QString& text)
+		{
+			QFileInfo folder(QFileInfo(text).absoluteFilePath());
+			if (folder.exists() && !folder.isDir())
+				fail(QString("-REPORT '%1' is a file: give a folder").arg(text), ErrorCode::CannotWrite);
+			while (!folder.exists() && folder.absolutePath() != folder.absoluteFilePath())
+				folder = QFileInfo(folder.absolutePath());
+			if (!folder.isDir() || !folder.isWritable())
+				fail(QString("-REPORT '%1' can't be written: no permission for it, choose another place").arg(text), ErrorCode::CannotWrite);
+			return QFileInfo(text).absoluteFilePath();
+		}
+
+		void setStages(CommandOptions& options, const QString& list)
+		{
+			options.reconstruct = list.trimmed().compare("none", Qt::CaseInsensitive) != 0;
+			if (options.reconstruct)
+				options.pipeline.stages = parseStages(list.toStdString());
+		}
+
+		QStringList storeyNames(const QString& list)
+		{
+			QStringList names;
+			for (const QString& name : list.split(',', Qt::SkipEmptyParts))
+				names << name.trimmed();
+			if (names.isEmpty())
+				fail("-STOREYS needs the names of storeys, separated by commas");
+			return names;
+		}
+
+		void setAny(CommandOptions& options, const QString& assignment)
+		{
+			if (!setValidationParameter(options.validation, assignment))
+				setParameter(options.pipeline.parameters, assignment.toStdString());
+		}
+
 		std::string localPath(const QString& path)
 		{
 			return QFile::encodeName(path).toStdString();
@@ -67,16 +114,22 @@ namespace s2b
 		     { o.labelMap = loadLabelMap(localPath(v)); }},
 		    {"GEOMETRY_ONLY", "", false, "use no labels", [](CommandOptions& o, const QString&)
 		     { o.pipeline.geometryOnly = true; }},
-		    {"STAGES", "LIST", false, "levels,walls,doors,windows,openings,columns,slabs,spaces (default: all)", [](CommandOptions& o, const QString& v)
-		     { o.pipeline.stages = parseStages(v.toStdString()); }},
+		    {"STAGES", "LIST", false, "levels,walls,doors,windows,openings,columns,slabs,spaces (default: all), or none: the file of -IFC is read and compared", [](CommandOptions& o, const QString& v)
+		     { setStages(o, v); }},
 		    {"CONFIG", "FILE", false, "parameters from a TOML file", [](CommandOptions& o, const QString& v)
 		     { loadConfig(o.pipeline.parameters, localPath(v)); }},
 		    {"SET", "name=value", true, "one parameter, after those of -CONFIG", [](CommandOptions& o, const QString& v)
-		     { setParameter(o.pipeline.parameters, v.toStdString()); }},
-		    {"IFC", "FILE", false, "the file to write (default: <cloud>.ifc beside the cloud)", [](CommandOptions& o, const QString& v)
-		     { o.ifcPath = writableIfcPath(v); }},
+		     { setAny(o, v); }},
+		    {"IFC", "FILE", false, "the file to write (default: <cloud>.ifc beside the cloud); with -STAGES none the file to read", [](CommandOptions& o, const QString& v)
+		     { o.ifcPath = o.reconstruct ? writableIfcPath(v) : readablePath("IFC", v); }},
 		    {"SCHEMA", "NAME", false, "IFC4 (default) or IFC4X3_ADD2", [](CommandOptions& o, const QString& v)
 		     { o.schema = schemaName(v); }},
+		    {"VALIDATE", "FILE", false, "ground truth to compare with: any IFC file, or the CV4AEC challenge's JSON", [](CommandOptions& o, const QString& v)
+		     { o.truthPath = readablePath("VALIDATE", v); }},
+		    {"STOREYS", "LIST", false, "the truth's storeys to compare, names or GUIDs separated by commas (default: all)", [](CommandOptions& o, const QString& v)
+		     { o.storeys = storeyNames(v); }},
+		    {"REPORT", "FOLDER", false, "report.html, report.json, elements.csv and issues.bcf (default when validating: <ifc base>_report beside the IFC file)", [](CommandOptions& o, const QString& v)
+		     { o.reportFolder = reportFolder(v); }},
 		    {"THREADS", "N", false, "worker threads (default: all); the result does not depend on it", [](CommandOptions& o, const QString& v)
 		     { o.threads = static_cast<unsigned>(wholeNumber("THREADS", v, 1, kMaxThreads)); }},
 		    {"SEED", "N", false, "of the random draws (default: 1)", [](CommandOptions& o, const QString& v)
@@ -131,6 +184,11 @@ namespace s2b
 
 		if (options.pipeline.geometryOnly && !options.labelField.isEmpty())
 			fail("-GEOMETRY_ONLY and -LABELS contradict each other: give one of them");
+		checkValidationParameters(options.validation);
+		if (options.truthPath.isEmpty() && !options.storeys.isEmpty())
+			fail("-STOREYS chooses storeys of a ground truth: give one with -VALIDATE FILE");
+		if (!options.reconstruct && options.ifcPath.isEmpty() && options.truthPath.isEmpty())
+			fail("-STAGES none reconstructs nothing and there is no model to measure: give one with -IFC FILE, and a ground truth with -VALIDATE FILE");
 		return options;
 	}
 } // namespace s2b

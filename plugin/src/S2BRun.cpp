@@ -6,16 +6,20 @@
 
 namespace s2b
 {
+	std::string reproducibleTime()
+	{
+		bool            isSet = false;
+		const qlonglong epoch = qEnvironmentVariable("SOURCE_DATE_EPOCH").toLongLong(&isSet);
+		return isSet ? QDateTime::fromSecsSinceEpoch(epoch, Qt::UTC).toString("yyyy-MM-ddTHH:mm:ss").toStdString() : std::string();
+	}
+
 	ifc::WriteOptions writeOptions(const PipelineOptions& run, std::uint64_t seed, const QString& projectName, const QString& schema)
 	{
 		ifc::WriteOptions options;
 		options.schema      = schema.toStdString();
 		options.projectName = projectName.toStdString();
-
-		bool            isSet = false;
-		const qlonglong epoch = qEnvironmentVariable("SOURCE_DATE_EPOCH").toLongLong(&isSet);
-		if (isSet)
-			options.timestamp = QDateTime::fromSecsSinceEpoch(epoch, Qt::UTC).toString("yyyy-MM-ddTHH:mm:ss").toStdString();
+		if (const std::string time = reproducibleTime(); !time.empty())
+			options.timestamp = time;
 
 		for (const ParameterInfo& info : parameterTable())
 			options.parameters.emplace_back(info.name, QString::number(info.value(run.parameters), 'g', 12).toStdString());
@@ -26,6 +30,13 @@ namespace s2b
 
 	void writeModel(const Building& building, const QString& path, const ifc::WriteOptions& options)
 	{
+		const std::lock_guard lock(ifcMutex());
 		ifc::writeIfc(building, QFile::encodeName(path).toStdString(), options);
+	}
+
+	std::mutex& ifcMutex()
+	{
+		static std::mutex mutex;
+		return mutex;
 	}
 } // namespace s2b
