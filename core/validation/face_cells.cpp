@@ -17,7 +17,7 @@ namespace
 
 constexpr float kCell_m = 0.10F;
 constexpr int kSamples = 4;             ///< per cell and direction, for its area
-constexpr float kMostCells = 1e6F;      ///< of one grid: larger faces have larger cells
+constexpr float kMostCells = 1e5F;      ///< of one grid: larger faces have larger cells
 constexpr float kSameNormal = 0.01F;    ///< faces whose normals differ less ...
 constexpr float kSamePlane_m = 0.005F;  ///< ... and that lie so near to each other are one plane
 

@@ -20,6 +20,8 @@ constexpr double kFacing = 0.9;      ///< cosine
 constexpr double kAround_m = 0.4;    ///< of an opening
 constexpr double kLeastAround_m2 = 0.1;
 constexpr double kLeastBand_m = 0.3;  ///< of a wall or column between floor and ceiling
+constexpr double kFloor_m = 0.35;     ///< a storey's floor lies so near to its elevation
+constexpr double kLeastFloor_m2 = 1.0;
 
 struct Share
 {
@@ -147,8 +149,11 @@ private:
                 highs.push_back(reach->second);
             }
         }
-        if (hasBody)
-            m_truth.storeys[static_cast<std::size_t>(storey)].isSurveyed &= isSurveyed;
+        if (const Share floor = floorOf(storey); floor.all_m2 >= kLeastFloor_m2)
+            isSurveyed = floor.value() >= m_least;
+        else if (!hasBody)
+            isSurveyed = true;
+        m_truth.storeys[static_cast<std::size_t>(storey)].isSurveyed &= isSurveyed;
         const auto low = medianOf(std::move(lows));
         const auto high = medianOf(std::move(highs));
         if (!low || !high)
@@ -163,6 +168,20 @@ private:
             if (std::min(element.high_m, *high) - std::max(element.low_m, *low) < kLeastBand_m)
                 element.visibility->counts = false;
         }
+    }
+
+    /// What slabs show upwards at a storey's elevation.
+    [[nodiscard]] Share floorOf(int storey) const
+    {
+        const double elevation = m_truth.storeys[static_cast<std::size_t>(storey)].elevation_m;
+        Share share;
+        for (std::size_t e = 0; e < m_truth.elements.size(); ++e)
+            if (m_truth.elements[e].elementClass == ElementClass::Slab)
+                for (const std::size_t c : m_cells[e])
+                    if (static_cast<double>(m_survey.cells[c].normal.z()) > kFacing &&
+                        std::abs(static_cast<double>(m_survey.cells[c].center.z()) - elevation) < kFloor_m)
+                        share.add(m_survey, c);
+        return share;
     }
 
     /// Where the points on an upright element typically begin and end, column of cells by column of cells.

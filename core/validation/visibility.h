@@ -11,8 +11,9 @@ namespace s2b::validation
 /// An element counts when points lie on at least minimumCoverage of its visible surface (without faces that touch other
 /// elements); a straight wall, when they lie on three times that share of one of its sides; a door or window in a wall,
 /// when they lie on that share, and on 0.1 m2, of the wall around it: an open or missing leaf is no reason to leave it
-/// out. A storey of which no wall, column or slab counts was not surveyed. Floor and ceiling of a storey are the median
-/// heights where its counted walls' points begin and end.
+/// out. A storey was surveyed when at least that share of its floor slabs' upper side has points, which nobody sees
+/// from below. Without such slabs, when one of its walls or columns counts. Floor and ceiling of a storey are the
+/// median heights where its counted walls' points begin and end.
 void judgeVisibility(Bim& truth, const SurfaceSurvey& survey, const ValidationParams& params);
 
 }  // namespace s2b::validation
