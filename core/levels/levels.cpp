@@ -152,6 +152,8 @@ double medianNear(std::vector<double> values, double centre, double reach)
     return *mid;
 }
 
+constexpr double kCeilingShare = 0.08;  // of the floor, that a further (suspended, stepped) ceiling covers at least
+
 struct Peak
 {
     double z = 0, area = 0;
@@ -301,6 +303,10 @@ LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, con
             level.ceiling_m = medianNear(ceilingHeights, above.front().z, 0.05);
             level.ceilingArea_m2 = above.front().area;
             level.ceilingSeen = true;
+            for (const Peak& q : above)
+                if (q.area > kCeilingShare * p.area)
+                    level.ceilings.push_back(medianNear(ceilingHeights, q.z, 0.05));
+            std::sort(level.ceilings.begin(), level.ceilings.end());
         }
         else
             level.ceiling_m = slopedTop;  // settled below, when the next floor is known
@@ -322,8 +328,13 @@ LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, con
         Level& level = result.levels[i];
         if (level.ceilingSeen)
         {
-            if (i + 1 < result.levels.size() && result.levels[i + 1].floor_m > level.ceiling_m)
-                level.ceilingLimit_m = (level.ceiling_m + result.levels[i + 1].floor_m) / 2;
+            if (i + 1 < result.levels.size())
+            {
+                const double next = result.levels[i + 1].floor_m;
+                std::erase_if(level.ceilings, [&](double c) { return c > level.ceiling_m && c > next - 0.03; });
+                if (next > level.ceiling_m)
+                    level.ceilingLimit_m = (level.highestCeiling_m() + next) / 2;
+            }
             continue;
         }
         const double limit =

@@ -5,6 +5,8 @@
 #include "core/cloud/surface_cells.h"
 #include "core/model/building.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -31,8 +33,20 @@ struct Level
     double floorArea_m2 = 0.0;
     double ceilingArea_m2 = 0.0;
     double floorRms_m = 0.0;
+    /// All level ceilings over a good part of the floor (suspended ones, stepped ones), ascending; empty when none was
+    /// seen.
+    std::vector<double> ceilings;
     /// Highest z at which a surface is still this storey's ceiling: below the next floor's surface.
     double ceilingLimit_m = std::numeric_limits<double>::infinity();
+
+    /// The highest ceiling; ceiling_m where none was seen.
+    [[nodiscard]] double highestCeiling_m() const { return ceilings.empty() ? ceiling_m : ceilings.back(); }
+    /// Is it the height of one of the ceilings, to the given distance?
+    [[nodiscard]] bool isCeiling(double z, double distance) const
+    {
+        return z < ceilingLimit_m &&
+               std::any_of(ceilings.begin(), ceilings.end(), [&](double c) { return std::abs(z - c) < distance; });
+    }
 };
 
 struct LevelResult

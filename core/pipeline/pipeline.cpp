@@ -72,7 +72,11 @@ double liftToLowestFloor(SurfaceCells& cells, LevelResult& levels)
     for (SurfaceCell& c : cells.cells)
         c.position.z() = static_cast<float>(static_cast<double>(c.position.z()) - lowest);
     for (Level& l : levels.levels)
+    {
         l.floor_m -= lowest, l.ceiling_m -= lowest, l.ceilingLimit_m -= lowest;
+        for (double& c : l.ceilings)
+            c -= lowest;
+    }
     for (Diagnostic& d : levels.diagnostics)
         d.location.z() -= lowest;
     return lowest;
@@ -131,7 +135,7 @@ Building reconstruct(const CloudView& cloud, const PipelineOptions& options, con
         if (options.stages.contains(Stage::Walls))
         {
             context.report(std::format("Walls of {}", building.storeys[i].name), stageFraction(0.0));
-            const CellIndex index(cells, level.floor_m - 0.2, level.ceiling_m + 0.4);
+            const CellIndex index(cells, level.floor_m - 0.2, level.highestCeiling_m() + 0.4);
             WallResult walls = findWalls(cells, index, level, storey, nextId, p.walls, context);
             if (const auto base = upperStoreyBase(walls.walls, level, index, p.levels.minimumRoomHeight_m))
             {

@@ -18,7 +18,7 @@ constexpr std::size_t kBins = 180;
 bool isCandidate(const SurfaceCell& c, const Level& level)
 {
     return !c.normal.isZero() && std::abs(c.normal.z()) < 0.3f && c.position.z() > level.floor_m + 0.05 &&
-           c.position.z() < level.ceiling_m + 0.05;
+           c.position.z() < level.highestCeiling_m() + 0.05;
 }
 
 double angleOf(const SurfaceCell& c)

@@ -264,7 +264,8 @@ std::vector<Face> gather(const std::vector<Line>& lines, const SurfaceCells& cel
     for (const SurfaceCell& c : cells.cells)
     {
         const double z = static_cast<double>(c.position.z());
-        if (c.normal.isZero() || std::abs(c.normal.z()) > 0.3f || z < level.floor_m || z > level.ceiling_m + 0.3)
+        if (c.normal.isZero() || std::abs(c.normal.z()) > 0.3f || z < level.floor_m ||
+            z > level.highestCeiling_m() + 0.3)
             continue;
         const double weight = wallWeight(cells, c);
         if (c.label == Label::Door || c.label == Label::Window)

@@ -165,6 +165,10 @@ std::vector<WallBody> settleHeights(std::vector<WallBody> bodies, const std::vec
                 const double top = quantile(tops, 0.75), bottom = quantile(bottoms, 0.1);
                 if (top < level.ceiling_m - 0.35)
                     piece.top = top;
+                // Beside rooms with a higher ceiling the wall goes up to that.
+                for (const double c : level.ceilings)
+                    if (c > piece.top && top > c - 1.5 * Face::kRow_m)
+                        piece.top = c;
                 const Eigen::Vector2d a = piece.t * piece.begin, b = piece.t * piece.end;
                 const double inset = std::min(0.03, piece.thickness() / 4);
                 if (bottom > level.floor_m + 1.0 &&

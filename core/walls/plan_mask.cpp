@@ -15,7 +15,7 @@ std::uint8_t layerOf(const SurfaceCells& cells, const SurfaceCell& c, const Leve
 {
     const double nz = std::abs(static_cast<double>(c.normal.z()));
     const double z = static_cast<double>(c.position.z());
-    if (nz < 0.4 || z < level.floor_m - 0.15 || z > level.ceiling_m + 0.4)
+    if (nz < 0.4 || z < level.floor_m - 0.15 || z > level.highestCeiling_m() + 0.4)
         return 0;
     if (cells.hasLabels && (c.label == Label::Wall || c.label == Label::Window || c.label == Label::Door ||
                             c.label == Label::Furniture || c.label == Label::Column))
@@ -23,9 +23,7 @@ std::uint8_t layerOf(const SurfaceCells& cells, const SurfaceCell& c, const Leve
     if (nz > 0.9 && std::abs(z - level.floor_m) < 0.10)
         return PlanMask::Floor;
     if (level.ceilingSeen)
-        return nz > 0.9 && z > level.ceiling_m - 0.15 && z < std::min(level.ceiling_m + 0.15, level.ceilingLimit_m)
-                   ? PlanMask::Ceiling
-                   : 0;
+        return nz > 0.9 && level.isCeiling(z, 0.15) ? PlanMask::Ceiling : 0;
     return z > level.floor_m + 1.4 && nz < 0.97 ? PlanMask::Ceiling : 0;  // a sloped ceiling
 }
 
@@ -35,7 +33,7 @@ bool isOverhead(const SurfaceCells& cells, const SurfaceCell& c, const Level& le
 {
     const double z = static_cast<double>(c.position.z());
     return std::abs(c.normal.z()) > 0.35f && z > level.floor_m + 1.7 &&
-           z < level.ceiling_m + (level.ceilingSeen ? 0.05 : 0.5) &&
+           z < level.highestCeiling_m() + (level.ceilingSeen ? 0.05 : 0.5) &&
            static_cast<double>(c.flatness) < 0.45 * cells.size_m;
 }
 
