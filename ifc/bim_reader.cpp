@@ -24,7 +24,8 @@ using validation::ElementClass;
 constexpr double kStraightFill = 0.85;         ///< share of the rectangle from which a wall is straight
 constexpr double kRoundFill[] = {0.74, 0.83};  ///< of a circle in its square: pi / 4 = 0.785
 constexpr std::size_t kRoundCorners = 9;
-constexpr double kSheet_m = 0.01;  ///< given to plans without a width
+constexpr double kSameFloor_m = 0.5;  ///< an element that begins so far below a storey is still in it
+constexpr double kSheet_m = 0.01;     ///< given to plans without a width
 
 const std::vector<std::string> kBodies{"IfcWall", "IfcColumn", "IfcSlab", "IfcSpace", "IfcDoor", "IfcWindow"};
 
@@ -178,6 +179,8 @@ private:
         element.high_m = p.high_m;
         if (const auto storey = m_storey.find(source.storeyGuid); storey != m_storey.end())
             element.storey = storey->second;
+        else
+            element.storey = validation::storeyAt(m_bim, p.low_m + kSameFloor_m);
         const OrientedRectangle rectangle = minimumRectangle(p.plan);
         element.plan = planOf(rectangle);
         if (elementClass == ElementClass::Wall)

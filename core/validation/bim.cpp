@@ -67,7 +67,19 @@ void selectStoreys(Bim& bim, std::span<const std::string> names)
                         (known.empty() ? "it has no storeys" : "choose from: " + joinNames(known)));
     }
     for (std::size_t i = 0; i < bim.storeys.size(); ++i)
+    {
+        bim.storeys[i].isChosen = isChosen[i];
         bim.storeys[i].isSurveyed = bim.storeys[i].isSurveyed && isChosen[i];
+    }
+}
+
+int storeyAt(const Bim& bim, double z_m)
+{
+    int storey = bim.storeys.empty() ? -1 : 0;
+    for (std::size_t i = 0; i < bim.storeys.size(); ++i)
+        if (bim.storeys[i].elevation_m <= z_m)
+            storey = static_cast<int>(i);
+    return storey;
 }
 
 void checkSizes(const Bim& bim)

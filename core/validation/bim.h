@@ -78,6 +78,7 @@ struct BimStorey
     std::string name;
     double elevation_m = 0.0;  ///< relative to Bim::origin
     bool isSurveyed = true;    ///< false: no station stood there, nothing of it is asked for
+    bool isChosen = true;      ///< false: left out by choice, nothing that a result has there counts
 };
 
 struct Bim
@@ -92,11 +93,14 @@ struct Bim
 /// Middle of the box around all walls, columns and slabs (of all elements when there are none), world coordinates.
 [[nodiscard]] Eigen::Vector3d centerOf(const Bim& bim);
 
-/// Restricts a truth to some storeys: of the others nothing is asked for (BimStorey::isSurveyed).
+/// Restricts a truth to some storeys: of the others nothing is asked for, and nothing that a result has there counts.
 ///
 /// @param names  each a storey's name or GUID; none: nothing changes.
 /// @throws Error{BadParameter} for a name that no storey has; it lists the storeys.
 void selectStoreys(Bim& bim, std::span<const std::string> names);
+
+/// The storey at a height: the highest one that begins at or below it, the lowest one below all; -1 without storeys.
+[[nodiscard]] int storeyAt(const Bim& bim, double z_m);
 
 /// @throws Error{BadFile} when walls, columns and doors are typically lower than 5 cm or higher than 100 m: a file
 /// whose length unit is wrong by 1000.

@@ -85,6 +85,9 @@ private:
         const std::vector<Overlap> ignored = overlapsOf(m_ignored.prisms, all.prisms);
         std::vector<bool> isOne(all.size(), false);
         std::vector<bool> isExcused(all.size(), false);
+        for (std::size_t j = 0; j < all.size(); ++j)
+            if (const int storey = storeyAt(m_truth, all.prisms[j].center.z()); storey >= 0)
+                isExcused[j] = !m_truth.storeys[static_cast<std::size_t>(storey)].isChosen;
         for (const Overlap& o : counted)
         {
             const auto j = static_cast<std::size_t>(o.result);

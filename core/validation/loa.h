@@ -13,8 +13,4 @@ namespace s2b::validation
 /// Whether it keeps the band that is asked for (ValidationParams::tolerance).
 [[nodiscard]] bool keepsTolerance(double deviation_m, const ValidationParams& params);
 
-/// @throws Error{BadParameter} for a tolerance that is no LOA, limits that do not fall from LOA10 to LOA50, or lengths
-/// and shares out of their ranges.
-void checkParams(const ValidationParams& params);
-
 }  // namespace s2b::validation

@@ -12,6 +12,7 @@ namespace
 {
 
 constexpr double kHalfStorey_m = 1.2;
+constexpr double kSameFloor_m = 0.5;  ///< a floor a little below a storey's elevation is that storey's
 
 }  // namespace
 
@@ -41,7 +42,14 @@ int extraStoreys(const Bim& truth, const Bim& result)
 {
     const auto surveyed =
         std::count_if(truth.storeys.begin(), truth.storeys.end(), [](const BimStorey& s) { return s.isSurveyed; });
-    return std::max(0, static_cast<int>(result.storeys.size()) - static_cast<int>(surveyed));
+    const double shift = result.origin.z() - truth.origin.z();
+    const auto found = std::count_if(result.storeys.begin(), result.storeys.end(),
+                                     [&](const BimStorey& s)
+                                     {
+                                         const int at = storeyAt(truth, s.elevation_m + shift + kSameFloor_m);
+                                         return at < 0 || truth.storeys[static_cast<std::size_t>(at)].isChosen;
+                                     });
+    return std::max(0, static_cast<int>(found - surveyed));
 }
 
 }  // namespace s2b::validation

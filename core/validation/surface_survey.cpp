@@ -5,6 +5,7 @@
 #include "core/labels/label.h"
 #include "core/validation/loa.h"
 #include "core/validation/surface_search.h"
+#include "core/validation/validation_parameters.h"
 
 #include <algorithm>
 #include <array>

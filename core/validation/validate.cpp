@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/validation/class_score.h"
-#include "core/validation/loa.h"
 #include "core/validation/overlap.h"
 #include "core/validation/storeys.h"
 #include "core/validation/surface_survey.h"
 #include "core/validation/validation.h"
+#include "core/validation/validation_parameters.h"
 #include "core/validation/visibility.h"
 
 #include <algorithm>
