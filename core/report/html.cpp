@@ -255,7 +255,8 @@ void addDrawings(Fields& page, const std::string& section, const std::vector<Dra
     {
         if (drawing.svg.empty())
             continue;
-        Fields& figure = shown.add("FIGURE");
+        // The first one stays on a page with the heading and the legend.
+        Fields& figure = shown.add(shown.sections.empty() ? "FIRST" : "FIGURE");
         figure.set("SVG", drawing.svg);
         figure.set("CAPTION", drawing.caption);
     }

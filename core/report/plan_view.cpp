@@ -144,11 +144,13 @@ Drawing drawPlan(const Scene& scene, const Level& level, const StoreyRasters& ra
     if (box.isEmpty())
         return drawing;
     Sheet sheet(widened(box), kPaperWidth_mm, kPaperHeight_mm, kMargin_mm);
+    sheet.beginClip();
     if (!rasters.slice.isEmpty())
         sheet.image(rasters.slice, rasters.sliceImage, "points of the slice");
-    sheet.frame(scene.base.head<2>());
     drawElements(sheet, scene, level);
     drawNumbers(sheet, scene, level);
+    sheet.endClip();
+    sheet.frame(scene.base.head<2>());
     sheet.scaleBar();
     drawing.svg = sheet.svg("Plan of " + level.name);
 
@@ -202,19 +204,21 @@ Drawing drawDeviations(const Scene& scene, const Level& level, const StoreyRaste
             }
         }
     }
+    sheet.beginClip();
     sheet.image(drawn, deviationImage(drawn, scene.colorRange_m), "signed deviations");
-    sheet.frame(scene.base.head<2>());
     for (const std::size_t i : level.rows)
     {
         const Row& row = scene.rows[i];
         if (row.result && layerOf(row.pair.elementClass) > 0)
             sheet.outlines(outlinesOf(*row.result, scene.resultShift), "class=\"outline\"", titleOf(row));
     }
+    sheet.endClip();
+    sheet.frame(scene.base.head<2>());
     sheet.scaleBar();
     drawing.svg = sheet.svg("Deviations of " + level.name);
     drawing.caption =
         std::format("{}: {}, mean over {} cells. Scale 1:{} on A4.", level.name,
-                    isFloor ? "points of the floor about the slab" : "points of what stands on the floor, from above",
+                    isFloor ? "points of the floor about the slab" : "points of walls and columns, from above",
                     number(100.0 * drawn.cell_m, 0) + " cm", sheet.scale());
     return drawing;
 }

@@ -37,6 +37,34 @@ bool middleLine(const Polygon& plan, Eigen::Vector2d& start, Eigen::Vector2d& en
     return true;
 }
 
+bool isInside(const std::vector<Eigen::Vector2d>& ring, const Eigen::Vector2d& p)
+{
+    bool inside = false;
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+        const Eigen::Vector2d& a = ring[i];
+        const Eigen::Vector2d& b = ring[(i + 1) % ring.size()];
+        if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+            inside = !inside;
+    }
+    return inside;
+}
+
+/// Empties the cells outside all of the outlines.
+void keepWithin(Raster& raster, const std::vector<Polygon>& outlines)
+{
+    for (std::size_t i = 0; i < raster.count.size(); ++i)
+    {
+        if (raster.count[i] == 0)
+            continue;
+        const auto column = static_cast<double>(i % static_cast<std::size_t>(raster.width));
+        const auto row = static_cast<double>(i / static_cast<std::size_t>(raster.width));
+        const Eigen::Vector2d middle = raster.low + Eigen::Vector2d(column + 0.5, row + 0.5) * raster.cell_m;
+        if (std::none_of(outlines.begin(), outlines.end(), [&](const Polygon& o) { return isInside(o.outer, middle); }))
+            raster.count[i] = 0;
+    }
+}
+
 }  // namespace
 
 Raster Raster::over(const Eigen::AlignedBox2d& box, double cell_m, std::size_t maximumCells)
@@ -96,7 +124,8 @@ Eigen::AlignedBox2d planBox(const Scene& scene, const Level& level)
         if (scene.rows[i].result)
             extend(*scene.rows[i].result, scene.resultShift);
     }
-    return upright.isEmpty() ? all : upright;  // a slab of the site would make the building a dot
+    constexpr double kMuchLarger = 4.0;  // a slab of the site would make the building a dot
+    return upright.isEmpty() || all.volume() < kMuchLarger * upright.volume() ? all : upright;
 }
 
 WallFaces wallFaces(const Scene& scene, std::size_t row)
@@ -150,10 +179,37 @@ StoreyRasters rasterize(const ReportInput& input, const Scene& scene, const Leve
             const double sides_m2 = 2.0 * face.volume();
             // Large enough for a few points in each: a face should show as a surface.
             const double cell_m =
-                row.toResult ? std::sqrt(kPointsPerCell * sides_m2 / static_cast<double>(row.toResult->points + 1)) : 0.0;
+                row.toResult ? std::sqrt(kPointsPerCell * sides_m2 / static_cast<double>(row.toResult->points + 1))
+                             : 0.0;
             wall.left = Raster::over(face, std::clamp(cell_m, kWallCell_m, kLargestWallCell_m));
             wall.right = wall.left;
             wallOf[static_cast<std::size_t>(scene.rows[static_cast<std::size_t>(wall.row)].pair.result)] = &wall;
+        }
+    }
+    // Whose distances go where: the floor's, those of walls and columns of this level, or nowhere (a door's leaf).
+    enum class Target : std::uint8_t
+    {
+        None,
+        Floor,
+        Faces
+    };
+    std::vector<Target> targetOf(wallOf.size(), Target::None);
+    std::vector<Polygon> floorOutlines;
+    for (const std::size_t i : level.rows)
+    {
+        const Row& row = scene.rows[i];
+        if (!row.result)
+            continue;
+        const bool isFace =
+            row.pair.elementClass == ElementClass::Wall || row.pair.elementClass == ElementClass::Column;
+        const bool isFloor = row.pair.elementClass == ElementClass::Slab;
+        targetOf[static_cast<std::size_t>(row.pair.result)] = isFace    ? Target::Faces
+                                                              : isFloor ? Target::Floor
+                                                                        : Target::None;
+        if (isFloor)
+        {
+            const auto outlines = outlinesOf(*row.result, scene.resultShift);
+            floorOutlines.insert(floorOutlines.end(), outlines.begin(), outlines.end());
         }
     }
     const Eigen::Vector3d shift = input.cloud->origin - scene.base;
@@ -176,12 +232,10 @@ StoreyRasters rasterize(const ReportInput& input, const Scene& scene, const Leve
         if (index >= wallOf.size())
             continue;
         const float distance_m = toResult->distance_m[i];
-        if (!isUpright(input.result->elements[index].elementClass))
-        {
-            if (std::abs(z - level.elevation_m) < kFloorStep_m)
-                rasters.floor.add(x, y, distance_m);
+        if (targetOf[index] == Target::Floor && std::abs(z - level.elevation_m) < kFloorStep_m)
+            rasters.floor.add(x, y, distance_m);
+        if (targetOf[index] != Target::Faces)
             continue;
-        }
         rasters.faces.add(x, y, distance_m);
         if (WallFaces* wall = wallOf[index])
         {
@@ -195,6 +249,7 @@ StoreyRasters rasterize(const ReportInput& input, const Scene& scene, const Leve
                 wall->right.add(along_m, z - wall->low_m, distance_m);
         }
     }
+    keepWithin(rasters.floor, floorOutlines);  // beside it, the nearest surface is its edge
     rasters.sliceImage = densityImage(rasters.slice);
     rasters.facesImage = deviationImage(rasters.faces, scene.colorRange_m);
     rasters.floorImage = deviationImage(rasters.floor, scene.colorRange_m);

@@ -2,6 +2,7 @@
 #include "core/report/report.h"
 
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "core/report/bcf.h"
 #include "core/report/csv.h"
 #include "core/report/html.h"
@@ -13,6 +14,7 @@
 #include "core/report/snapshot.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace s2b::report
 {
@@ -62,16 +64,21 @@ void drawLevel(const ReportInput& input, const Scene& scene, const Level& level,
         pictures.drawings.deviations.push_back(drawDeviations(scene, level, rasters, isFloor));
     for (const WallFaces& wall : walls)
         pictures.walls.emplace_back(static_cast<std::size_t>(wall.row), drawWall(scene, wall));
-    for (const std::size_t i : level.rows)
-    {
-        if (scene.rows[i].verdict != Verdict::OutOfTolerance)
-            continue;
-        context.checkCancelled();
-        const auto wall =
-            std::find_if(walls.begin(), walls.end(), [&](const WallFaces& w) { return w.row == static_cast<int>(i); });
-        pictures.snapshots[i] =
-            encodePng(drawSnapshot(scene, scene.rows[i], rasters, wall == walls.end() ? nullptr : &*wall));
-    }
+    std::vector<std::size_t> issues;
+    std::copy_if(level.rows.begin(), level.rows.end(), std::back_inserter(issues),
+                 [&](std::size_t i) { return scene.rows[i].verdict == Verdict::OutOfTolerance; });
+    std::vector<std::string> snapshots(issues.size());
+    parallelChunks(issues.size(), 1, context,
+                   [&](std::size_t begin, std::size_t)
+                   {
+                       const std::size_t row = issues[begin];
+                       const auto wall = std::find_if(walls.begin(), walls.end(), [&](const WallFaces& w)
+                                                      { return w.row == static_cast<int>(row); });
+                       snapshots[begin] = encodePng(
+                           drawSnapshot(scene, scene.rows[row], rasters, wall == walls.end() ? nullptr : &*wall));
+                   });
+    for (std::size_t i = 0; i < issues.size(); ++i)
+        pictures.snapshots[issues[i]] = std::move(snapshots[i]);
 }
 
 }  // namespace

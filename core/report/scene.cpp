@@ -64,7 +64,9 @@ void judge(Row& row, const Scene& scene, const ValidationParams& params)
             break;
     }
     const bool isJudged = row.pair.outcome != Outcome::FalsePositive;
-    if (row.toResult && row.toResult->verdict != Verdict::NoData)
+    // Of these a survey gives the hole; where in it the leaf or pane stands is the model's guess, not a measurement.
+    const bool isFilling = row.pair.elementClass == ElementClass::Door || row.pair.elementClass == ElementClass::Window;
+    if (row.toResult && row.toResult->verdict != Verdict::NoData && !isFilling)
     {
         row.band = row.toResult->band;
         row.error_m = row.toResult->p95_m;
@@ -74,8 +76,10 @@ void judge(Row& row, const Scene& scene, const ValidationParams& params)
             compare(row.toResult->p95_m, "95 % of its points lie within");
         }
     }
-    else if (isJudged && !scene.hasPoints && row.pair.outcome == Outcome::Matched)
+    else if (isJudged && (!scene.hasPoints || isFilling) && row.pair.outcome == Outcome::Matched)
     {
+        row.reason = isFilling ? "its leaf or pane is not what was measured: points don't judge it"
+                               : "nothing to compare it with";
         if (const auto error_m = largestError(row.pair))
         {
             row.band = bandOf(*error_m, params);

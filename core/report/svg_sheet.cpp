@@ -104,6 +104,12 @@ void Sheet::image(const Raster& raster, const Image& image, std::string_view lab
         mm(length(raster.height * raster.cell_m)), escapeXml(label), dataUri(image));
 }
 
+void Sheet::beginClip()
+{
+    m_body += std::format("<svg x=\"{0}\" y=\"{0}\" width=\"{1}\" height=\"{2}\" viewBox=\"{0} {0} {1} {2}\">\n",
+                          mm(m_margin_mm), mm(m_width_mm), mm(m_height_mm));
+}
+
 void Sheet::frame(const Eigen::Vector2d& world)
 {
     constexpr double kTick_mm = 25.0;  // wide enough for "32 500 100"

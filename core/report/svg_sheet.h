@@ -31,6 +31,9 @@ public:
     void text(const Eigen::Vector2d& at_mm, std::string_view text, std::string_view attributes);
     void image(const Raster& raster, const Image& image, std::string_view label);
     void markup(std::string_view svg) { m_body += svg; }
+    /// What is drawn between these two ends at the frame.
+    void beginClip();
+    void endClip() { m_body += "</svg>\n"; }
 
     /// Frame, ticks with world coordinates (east along the lower edge, north along the left one), north arrow, scale
     /// bar.

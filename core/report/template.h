@@ -20,8 +20,8 @@ struct Fields
     Fields& add(const std::string& section) { return sections.emplace_back(section, Fields{}).second; }
 };
 
-/// Fills a template of the ctemplate language: {{NAME:h}} and {{NAME:xml_escape}} are escaped for HTML and XML, {{NAME:none}} is
-/// markup already.
+/// Fills a template of the ctemplate language: {{NAME:h}} and {{NAME:xml_escape}} are escaped for HTML and XML,
+/// {{NAME:none}} is markup already.
 /// @throws Error{Internal} for a template with a fault.
 [[nodiscard]] std::string fillTemplate(std::string_view text, const Fields& fields);
 

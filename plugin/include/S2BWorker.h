@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/context.h"
 #include "core/model/building.h"
 
 #include <QString>
+#include <functional>
 #include <optional>
 
 class ccMainAppInterface;
@@ -13,9 +15,16 @@ namespace s2b
 	struct Input;
 	struct RunChoice;
 
-	//! Reconstructs (and writes the IFC, if asked) in a worker thread behind a progress dialog with a cancel button
-	/** The window stays responsive; no entity is touched.
-	    \return nothing when the user cancelled: then no file was written either
+	//! Runs some work in a worker thread behind a progress dialog with a cancel button
+	/** The window stays responsive. The work touches no entity and no widget.
+	    \param context its threads and seed are taken; what is told and whether to stop is set here
+	    \return false when the user cancelled
+	    \throws what the work throws, but Cancelled
+	**/
+	bool runInBackground(ccMainAppInterface& app, Context context, const std::function<void(const Context&)>& work);
+
+	//! Reconstructs (and writes the IFC, if asked) in the background
+	/** \return nothing when the user cancelled: then no file was written either
 	    \throws Error as reconstruct() and writeIfc() do
 	**/
 	std::optional<Building> reconstructInBackground(const Input& input, const RunChoice& choice, const QString& projectName, ccMainAppInterface& app);

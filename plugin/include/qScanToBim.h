@@ -26,4 +26,5 @@ class qScanToBim : public QObject
   private:
 	QAction* m_reconstruct = nullptr;
 	QAction* m_exportIfc   = nullptr;
+	QAction* m_validate    = nullptr;
 };

@@ -27,32 +27,19 @@ namespace s2b
 	{
 		constexpr int kMaxDiagnostics = 50;
 
-		void print(ccMainAppInterface& app, const QString& text, ccMainAppInterface::ConsoleMessageLevel level = ccMainAppInterface::STD_CONSOLE_MESSAGE)
-		{
-			app.dispToConsole("[S2B] " + text, level);
-		}
-
-		void complain(ccMainAppInterface& app, const QString& text)
-		{
-			print(app, text, ccMainAppInterface::WRN_CONSOLE_MESSAGE);
-			QMessageBox box(QMessageBox::Warning, "Scan to BIM", text, QMessageBox::Ok, app.getMainWindow());
-			box.setObjectName("S2BMessage");
-			box.exec();
-		}
-
 		void printResult(ccMainAppInterface& app, const Building& building)
 		{
 			for (const QString& line : summary(building))
-				print(app, line);
+				say(app, line);
 			int shown = 0;
 			for (const Diagnostic& diagnostic : building.diagnostics)
 			{
 				if (++shown > kMaxDiagnostics)
 					break;
-				print(app, diagnosticText(building, diagnostic), diagnostic.severity == Severity::Info ? ccMainAppInterface::STD_CONSOLE_MESSAGE : ccMainAppInterface::WRN_CONSOLE_MESSAGE);
+				say(app, diagnosticText(building, diagnostic), diagnostic.severity != Severity::Info);
 			}
 			if (building.diagnostics.size() > kMaxDiagnostics)
-				print(app, QString("... and %1 more").arg(building.diagnostics.size() - kMaxDiagnostics));
+				say(app, QString("... and %1 more").arg(building.diagnostics.size() - kMaxDiagnostics));
 		}
 
 		void addToTree(ccMainAppInterface& app, const Building& building, const ccPointCloud& cloud, ccHObject* display)
@@ -104,6 +91,26 @@ namespace s2b
 		}
 	} // namespace
 
+	void say(ccMainAppInterface& app, const QString& text, bool isWarning)
+	{
+		app.dispToConsole("[S2B] " + text, isWarning ? ccMainAppInterface::WRN_CONSOLE_MESSAGE : ccMainAppInterface::STD_CONSOLE_MESSAGE);
+	}
+
+	void complain(ccMainAppInterface& app, const QString& text)
+	{
+		say(app, text, true);
+		QMessageBox box(QMessageBox::Warning, "Scan to BIM", text, QMessageBox::Ok, app.getMainWindow());
+		box.setObjectName("S2BMessage");
+		box.exec();
+	}
+
+	Building correctedModel(const ccHObject& tree)
+	{
+		Building building = parseBuilding(tree.getMetaData(kBuildingKey).toMap().value("text").toString());
+		dropDeleted(building, tree);
+		return building;
+	}
+
 	std::vector<ccPointCloud*> cloudsOf(const ccHObject::Container& selection)
 	{
 		std::vector<ccPointCloud*> clouds;
@@ -153,19 +160,19 @@ namespace s2b
 			}
 			QApplication::restoreOverrideCursor();
 			if (!input.warning.isEmpty())
-				print(app, input.warning, ccMainAppInterface::WRN_CONSOLE_MESSAGE);
+				say(app, input.warning, true);
 			if (!input.labelField.isEmpty())
-				print(app, labelSummary(input, QString::fromStdString(choice.labels.map.name)));
+				say(app, labelSummary(input, QString::fromStdString(choice.labels.map.name)));
 
 			const std::optional<Building> building = reconstructInBackground(input, choice, clouds.front()->getName(), app);
 			if (!building)
 			{
-				print(app, "cancelled, nothing was changed");
+				say(app, "cancelled, nothing was changed");
 				return;
 			}
 			printResult(app, *building);
 			if (!choice.ifcPath.isEmpty())
-				print(app, "wrote " + choice.ifcPath);
+				say(app, "wrote " + choice.ifcPath);
 			addToTree(app, *building, *clouds.front(), clouds.front());
 			app.redrawAll();
 		}
@@ -186,8 +193,7 @@ namespace s2b
 			return;
 		try
 		{
-			Building building = parseBuilding(model->getMetaData(kBuildingKey).toMap().value("text").toString());
-			dropDeleted(building, *model);
+			const Building building = correctedModel(*model);
 
 			QSettings settings;
 			settings.beginGroup("qScanToBim");
@@ -208,7 +214,7 @@ namespace s2b
 			options.schema      = dialog.selectedNameFilter().section(' ', 0, 0).toStdString();
 			options.projectName = QFileInfo(path).completeBaseName().toStdString();
 			writeModel(building, path, options);
-			print(app, "wrote " + path);
+			say(app, "wrote " + path);
 		}
 		catch (const std::exception& e)
 		{

@@ -166,7 +166,7 @@ namespace s2b
 			const CloudView* cloud = nullptr;
 			if (!cmd.clouds().empty())
 			{
-				input = makeInput(openedClouds(cmd), {false, {}, {}});
+				input = makeInput(openedClouds(cmd), {!options.pipeline.geometryOnly, options.labelField, options.labelMap});
 				cloud = &input.view;
 			}
 			std::optional<Eigen::Vector3d> near;

@@ -17,7 +17,7 @@
 
 namespace s2b
 {
-	std::optional<Building> reconstructInBackground(const Input& input, const RunChoice& choice, const QString& projectName, ccMainAppInterface& app)
+	bool runInBackground(ccMainAppInterface& app, Context context, const std::function<void(const Context&)>& work)
 	{
 		ccProgressDialog progress(true, app.getMainWindow());
 		progress.setObjectName("S2BProgress");
@@ -35,10 +35,7 @@ namespace s2b
 			                 progress.setLabelText("Cancelling"); });
 
 		// What the worker says is queued to the window's thread, which alone touches widgets.
-		Context context;
 		context.cancel   = stop.get_token();
-		context.threads  = choice.threads;
-		context.seed     = choice.seed;
 		context.progress = [&progress](std::string_view text, double fraction)
 		{
 			const QString line    = QString::fromUtf8(text.data(), static_cast<int>(text.size()));
@@ -61,17 +58,14 @@ namespace s2b
 			    Qt::QueuedConnection);
 		};
 
-		std::optional<Building> building;
-		std::exception_ptr      failure;
-		const auto              work = [&]
+		bool               isDone = false;
+		std::exception_ptr failure;
+		const auto         guarded = [&]
 		{
 			try
 			{
-				Building result = reconstruct(input.view, choice.pipeline, context);
-				context.report("Writing the IFC file", 1.0);
-				if (!choice.ifcPath.isEmpty())
-					writeModel(result, choice.ifcPath, writeOptions(choice.pipeline, choice.seed, projectName, choice.schema));
-				building = std::move(result);
+				work(context);
+				isDone = true;
 			}
 			catch (const Cancelled&)
 			{
@@ -86,12 +80,28 @@ namespace s2b
 		QFutureWatcher<void> watcher;
 		QObject::connect(&watcher, &QFutureWatcher<void>::finished, &loop, &QEventLoop::quit);
 		progress.show();
-		watcher.setFuture(QtConcurrent::run(work));
+		watcher.setFuture(QtConcurrent::run(guarded));
 		loop.exec();
 		progress.close();
 
 		if (failure)
 			std::rethrow_exception(failure);
+		return isDone;
+	}
+
+	std::optional<Building> reconstructInBackground(const Input& input, const RunChoice& choice, const QString& projectName, ccMainAppInterface& app)
+	{
+		Context context;
+		context.threads = choice.threads;
+		context.seed    = choice.seed;
+		std::optional<Building> building;
+		runInBackground(app, context, [&](const Context& running)
+		                {
+			                Building result = reconstruct(input.view, choice.pipeline, running);
+			                running.report("Writing the IFC file", 1.0);
+			                if (!choice.ifcPath.isEmpty())
+				                writeModel(result, choice.ifcPath, writeOptions(choice.pipeline, choice.seed, projectName, choice.schema));
+			                building = std::move(result); });
 		return building;
 	}
 } // namespace s2b

@@ -29,8 +29,15 @@ QList<QAction*> qScanToBim::getActions()
 		m_exportIfc->setEnabled(false);
 		connect(m_exportIfc, &QAction::triggered, this, [this]
 		        { s2b::exportSelection(*m_app); });
+
+		m_validate = new QAction(QIcon(":/CC/plugin/qScanToBim/images/validate.png"), tr("Validate against BIM..."), this);
+		m_validate->setObjectName("S2B.Validate");
+		m_validate->setToolTip(tr("Compare the selected clouds and model with a ground-truth BIM: figures, deviations and a report"));
+		m_validate->setEnabled(false);
+		connect(m_validate, &QAction::triggered, this, [this]
+		        { s2b::validateSelection(*m_app); });
 	}
-	return {m_reconstruct, m_exportIfc};
+	return {m_reconstruct, m_exportIfc, m_validate};
 }
 
 void qScanToBim::onNewSelection(const ccHObject::Container& selectedEntities)
@@ -39,6 +46,8 @@ void qScanToBim::onNewSelection(const ccHObject::Container& selectedEntities)
 		m_reconstruct->setEnabled(!s2b::cloudsOf(selectedEntities).empty());
 	if (m_exportIfc)
 		m_exportIfc->setEnabled(s2b::modelOf(selectedEntities) != nullptr);
+	if (m_validate)
+		m_validate->setEnabled(!s2b::validationSelection(selectedEntities).isEmpty());
 }
 
 void qScanToBim::registerCommands(ccCommandLineInterface* cmd)

@@ -35,23 +35,26 @@ p { margin: 0 0 2mm; max-width: 165mm; }
 table { border-collapse: collapse; width: 100%; font-size: 8.5pt; font-variant-numeric: tabular-nums; margin: 1mm 0 3mm; }
 thead { display: table-header-group; }
 tr { break-inside: avoid; }
+table:not(.elements):not(.long) { break-inside: avoid; }
 th { text-align: right; font-weight: 600; color: var(--soft); font-size: 7.6pt; line-height: 1.25; vertical-align: bottom; border-bottom: 0.3mm solid var(--ink); padding: 0.8mm 1.4mm; }
 td { text-align: right; padding: 0.9mm 1.4mm; border-bottom: 0.15mm solid var(--line); vertical-align: top; }
 th.l, td.l { text-align: left; }
 th.group { text-align: center; border-bottom: 0.2mm solid var(--line); }
 td.g, th.g { border-left: 0.2mm solid var(--line); }
-td.id { font-family: "Cascadia Mono", "DejaVu Sans Mono", Menlo, Consolas, monospace; font-size: 7.2pt; }
-td .name { display: block; color: var(--soft); font-family: inherit; overflow-wrap: anywhere; }
+td.c { white-space: nowrap; }
+td.id { white-space: nowrap; font-family: "Cascadia Mono", "DejaVu Sans Mono", Menlo, Consolas, monospace; font-size: 6.8pt; }
+td .name { display: block; white-space: normal; color: var(--soft); overflow-wrap: anywhere; max-width: 36mm; }
 .facts td:first-child { color: var(--soft); width: 32mm; }
 .facts td, .parameters td { text-align: left; }
-.elements { font-size: 7.8pt; }
-.elements td.l { max-width: 42mm; overflow-wrap: anywhere; }
+.elements { font-size: 7.6pt; }
+.elements th, .elements td { padding-left: 1mm; padding-right: 1mm; }
 .chip { display: inline-block; white-space: nowrap; padding: 0 1.3mm; border-radius: 0.8mm; border: 0.25mm solid; font-size: 7.4pt; }
 .chip.within { color: #1d5a96; border-color: #9dbfe0; background: #eaf2fa; }
 .chip.out { color: #7a4c00; border-color: #d98a00; background: #ffe9c2; font-weight: 600; }
 .chip.missed { color: #9c1f14; border-color: #c0281c; background: #fbe1dc; font-weight: 600; }
 .chip.extra { color: #57237a; border-color: #6b2f94; background: #f0e4f7; font-weight: 600; }
 .chip.nodata, .chip.notseen { color: #555; border-color: #b5b5b5; background: #f5f5f5; }
+section.keep { break-inside: avoid; }
 figure { margin: 3mm 0 5mm; break-inside: avoid; }
 figure svg { max-width: 100%; height: auto; display: block; margin: 0 auto; }
 figure.pair { display: block; }
@@ -143,8 +146,10 @@ svg .badgetext { font-size: 2.4px; font-weight: 700; fill: #1d252e; }
 {{/STOREYS}}
 
 {{#PLANS}}
-<h2>Plans</h2>
+<section class="keep"><h2>Plans</h2>
 {{LEGEND:none}}
+{{#FIRST}}<figure>{{SVG:none}}<figcaption>{{CAPTION:h}}</figcaption></figure>{{/FIRST}}
+</section>
 {{#FIGURE}}<figure>{{SVG:none}}<figcaption>{{CAPTION:h}}</figcaption></figure>
 {{/FIGURE}}
 {{/PLANS}}
@@ -153,44 +158,48 @@ svg .badgetext { font-size: 2.4px; font-weight: 700; fill: #1d252e; }
 <table class="elements"><thead>
 <tr><th rowspan="2">No.</th><th class="l" rowspan="2">Class</th><th class="l" rowspan="2">GUID, name</th><th class="l" rowspan="2">Storey</th><th class="group g" colspan="4">against the truth [mm]</th><th class="group g" colspan="3">points [mm]</th><th class="l g" rowspan="2">LOA</th><th class="l" rowspan="2">Verdict</th></tr>
 <tr><th class="g">IoU</th><th>place</th><th>thick.</th><th>height</th><th class="g">mean</th><th>95&#8239;%</th><th>cover</th></tr></thead><tbody>
-{{#ELEMENT}}<tr id="e{{NUMBER:h}}" title="{{REASON:h}}"><td>{{NUMBER:h}}</td><td class="l">{{CLASS:h}}</td><td class="l id">{{ID:h}}<span class="name">{{NAME:h}}</span></td><td class="l">{{STOREY:h}}</td><td class="g">{{IOU:h}}</td><td>{{PLACE:h}}</td><td>{{THICKNESS:h}}</td><td>{{HEIGHT:h}}</td><td class="g">{{MEAN:h}}</td><td>{{P95:h}}</td><td>{{COVERAGE:h}}</td><td class="l g">{{LOA:h}}</td><td class="l"><span class="chip {{STYLE:h}}">{{VERDICT:h}}</span></td></tr>
+{{#ELEMENT}}<tr id="e{{NUMBER:h}}" title="{{REASON:h}}"><td>{{NUMBER:h}}</td><td class="l c">{{CLASS:h}}</td><td class="l id">{{ID:h}}<span class="name">{{NAME:h}}</span></td><td class="l">{{STOREY:h}}</td><td class="g">{{IOU:h}}</td><td>{{PLACE:h}}</td><td>{{THICKNESS:h}}</td><td>{{HEIGHT:h}}</td><td class="g">{{MEAN:h}}</td><td>{{P95:h}}</td><td>{{COVERAGE:h}}</td><td class="l g">{{LOA:h}}</td><td class="l"><span class="chip {{STYLE:h}}">{{VERDICT:h}}</span></td></tr>
 {{/ELEMENT}}
 </tbody></table>
 <p class="note">Place: the larger distance of the axes' ends of a wall, else of the centres. Thickness and height: result less truth. Mean: signed, positive in front of the surface. Cover: share of the element's visible surface with points.</p>
 
 {{#DEVIATIONS}}
-<h2>Deviations of the points</h2>
+<section class="keep"><h2>Deviations of the points</h2>
 {{LEGEND:none}}
+{{#FIRST}}<figure>{{SVG:none}}<figcaption>{{CAPTION:h}}</figcaption></figure>{{/FIRST}}
+</section>
 {{#FIGURE}}<figure>{{SVG:none}}<figcaption>{{CAPTION:h}}</figcaption></figure>
 {{/FIGURE}}
 {{/DEVIATIONS}}
 {{#HISTOGRAM}}
-<h2>Distribution of the deviations</h2>
-<figure>{{SVG:none}}<figcaption>{{CAPTION:h}}</figcaption></figure>
+<section class="keep"><h2>Distribution of the deviations</h2>
+<figure>{{SVG:none}}<figcaption>{{CAPTION:h}}</figcaption></figure></section>
 {{/HISTOGRAM}}
 {{#WALLS}}
-<h2>Faces of the worst walls</h2>
+<section class="keep"><h2>Faces of the worst walls</h2>
 {{LEGEND:none}}
+{{#FIRST}}<figure class="pair">{{SVG:none}}<figcaption>{{CAPTION:h}}</figcaption></figure>{{/FIRST}}
+</section>
 {{#FIGURE}}<figure class="pair">{{SVG:none}}<figcaption>{{CAPTION:h}}</figcaption></figure>
 {{/FIGURE}}
 {{/WALLS}}
 
 <h2>How it was measured</h2>
-<p class="note">Distances are measured from each point to the nearest surface of the model, up to the limit below. The accuracy band of an element is the best one of the USIBD Level of Accuracy specification whose limit 95&#8239;% of its points keep; without points, the largest error in place and size takes their place. An element of the truth that nothing of the result meets, and an element of the result without one in the truth, are out of tolerance. Coordinates and north are those of the input.</p>
+<p class="note">Distances are measured from each point to the nearest surface of the model, up to the limit below. The accuracy band of an element is the best one of the USIBD Level of Accuracy specification whose limit 95&#8239;% of its points keep; without points, and for doors and windows, whose leaf or pane is not what was measured, the largest error in place and size takes their place. An element of the truth that nothing of the result meets, and an element of the result without one in the truth, are out of tolerance. Coordinates and north are those of the input.</p>
 <table class="parameters"><tbody>
 {{#VALIDATION}}<tr><td>{{NAME:h}}</td><td>{{VALUE:h}}</td></tr>
 {{/VALIDATION}}
 </tbody></table>
 {{#PARAMETERS}}
 <h3>Parameters of the reconstruction</h3>
-<table class="parameters"><tbody>
+<table class="parameters long"><tbody>
 {{#PARAMETER}}<tr><td>{{NAME:h}}</td><td>{{VALUE:h}}</td></tr>
 {{/PARAMETER}}
 </tbody></table>
 {{/PARAMETERS}}
 {{#DIAGNOSTICS}}
 <h3>Remarks of the reconstruction</h3>
-<table><thead><tr><th class="l">Kind</th><th class="l">Stage</th><th class="l">Remark</th><th class="l">Place (x, y, z) [m]</th></tr></thead><tbody>
+<table class="long"><thead><tr><th class="l">Kind</th><th class="l">Stage</th><th class="l">Remark</th><th class="l">Place (x, y, z) [m]</th></tr></thead><tbody>
 {{#DIAGNOSTIC}}<tr><td class="l">{{SEVERITY:h}}</td><td class="l">{{STAGE:h}}</td><td class="l">{{TEXT:h}}</td><td class="l">{{PLACE:h}}</td></tr>
 {{/DIAGNOSTIC}}
 </tbody></table>
