@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """CloudCompare's window under a virtual display: what a user sees and does."""
+import json
 import os
+import shutil
 import subprocess
 import sys
 
@@ -41,9 +43,9 @@ def to_bin(cloudcompare, tmp_path):
 def window(display, tmp_path, output):
     """Runs one scenario of the driver plugin in the window."""
 
-    def run(scenario, path):
+    def run(scenario, path, **more):
         env = environment(tmp_path / "home", DISPLAY=display, QT_QPA_PLATFORM="xcb", S2B_DRIVER_SCENARIO=scenario, S2B_DRIVER_OUTPUT=str(output),
-                          S2B_PLAIN_DIALOGS="1")
+                          S2B_PLAIN_DIALOGS="1", **more)
         env["CC_PLUGIN_PATH"] += ":" + os.environ["S2B_TEST_DRIVER"]
         process = subprocess.run([os.environ["S2B_TEST_CLOUDCOMPARE"], ":start-plugin:S2B_window_driver", str(path)], cwd=tmp_path, env=env,
                                  stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300)
@@ -76,3 +78,14 @@ def test_unknown_codes_are_shown(window, to_bin, tmp_path, room):
     points, codes = room
     codes[:100] = 77
     window("labels", to_bin(write_ply(tmp_path / "codes.ply", points, Classification=codes)))
+
+
+def test_validate_shows_verdicts_and_deviations(window, to_bin, survey, tmp_path, output):
+    shutil.rmtree(output / "window_report", ignore_errors=True)
+    bad = tmp_path / "bad.ifc"
+    bad.write_text("this is no IFC file")
+    window("validate", to_bin(survey), S2B_DRIVER_TRUTH=str(survey.parent / "truth.ifc"), S2B_DRIVER_BAD_TRUTH=str(bad))
+    report = json.loads((output / "window_report" / "report.json").read_text())
+    assert report["classes"]["wall"]["at50"]["f1"] >= 0.9
+    assert report["files"]["result"]["name"].endswith(".ifc")
+    assert "/" not in report["files"]["truth"]["name"]

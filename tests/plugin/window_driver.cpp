@@ -25,10 +25,12 @@
 #include <QTreeWidget>
 #include <QtTest/QTest>
 
+#include <cmath>
 #include <cstdio>
 
 #include <ccMesh.h>
 #include <ccPointCloud.h>
+#include <ccScalarField.h>
 #include <ccStdPluginInterface.h>
 
 namespace
@@ -195,6 +197,8 @@ private:
                 labels();
             else if (scenario == "reopened")
                 reopened();
+            else if (scenario == "validate")
+                validate();
             else
                 check(false, "the scenario is known");
         }
@@ -399,6 +403,140 @@ private:
             return;
         select(walls.front());
         check(action("S2B.ExportIfc")->isEnabled(), "the model can be exported after reopening");
+    }
+
+    void reconstructQuietly()
+    {
+        select(cloud());
+        whenShown("S2BReconstructDlg",
+                  [](QWidget* dialog)
+                  {
+                      dialog->findChild<QCheckBox*>("writeIfc")->setChecked(false);
+                      press(dialog, QDialogButtonBox::Ok);
+                  });
+        action("S2B.Reconstruct")->trigger();
+    }
+
+    ccHObject* model()
+    {
+        const auto walls = named<ccMesh>("Wall ");
+        return walls.empty() ? nullptr : walls.front()->getParent()->getParent()->getParent();
+    }
+
+    std::size_t entityCount()
+    {
+        ccHObject::Container all;
+        m_app->dbRootObject()->filterChildren(all, true);
+        return all.size();
+    }
+
+    /// Fills the dialog as a user would and presses Validate; `onProgress` runs once the progress is shown.
+    void runValidation(const QString& truth, const QString& folder, const QString& picture,
+                       const std::function<void(QWidget*)>& onProgress = {})
+    {
+        whenShown("S2BValidateDlg",
+                  [=, this](QWidget* dialog)
+                  {
+                      dialog->findChild<QLineEdit*>("truth")->setText(truth);
+                      dialog->findChild<QCheckBox*>("writeReport")->setChecked(true);
+                      dialog->findChild<QLineEdit*>("report")->setText(folder);
+                      dialog->findChild<QCheckBox*>("openReport")->setChecked(false);
+                      auto* ok = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+                      check(ok->isEnabled() == QFile::exists(truth), "only a truth that is there can be compared with");
+                      if (!picture.isEmpty())
+                          shoot(picture);
+                      if (!ok->isEnabled())
+                          return press(dialog, QDialogButtonBox::Cancel);
+                      if (onProgress)
+                          whenShown("S2BProgress", onProgress);
+                      press(dialog, QDialogButtonBox::Ok);
+                  });
+        action("S2B.Validate")->trigger();
+        QTest::qWait(300);
+    }
+
+    void validate()
+    {
+        const QString truth = qEnvironmentVariable("S2B_DRIVER_TRUTH");
+        const QString folder = qEnvironmentVariable("S2B_DRIVER_OUTPUT") + "/window_report";
+        QAction* validate = action("S2B.Validate");
+        check(validate != nullptr, "the action is there");
+        unselectAll();
+        check(!validate->isEnabled(), "nothing can be validated without a selection");
+        reconstructQuietly();
+        if (!model())
+            return check(false, "there is a model");
+        select(model());
+        check(validate->isEnabled(), "a model can be validated");
+        m_app->setSelectedInDB(cloud(), true);
+        QApplication::processEvents();
+        check(validate->isEnabled(), "a model and a cloud can be validated together");
+
+        // What is wrong, or cancelled, changes nothing.
+        const std::size_t before = entityCount();
+        runValidation(folder + "/no.ifc", folder, {});
+        whenShown("S2BMessage",
+                  [this](QWidget* box)
+                  {
+                      check(static_cast<QMessageBox*>(box)->text().contains("bad.ifc"), "a bad truth is named");
+                      shoot("validate_bad_truth");
+                      QTest::mouseClick(static_cast<QMessageBox*>(box)->button(QMessageBox::Ok), Qt::LeftButton);
+                  });
+        runValidation(qEnvironmentVariable("S2B_DRIVER_BAD_TRUTH"), folder, {});
+        check(entityCount() == before && !QFile::exists(folder), "a bad truth changes nothing");
+        QElapsedTimer sinceCancel;
+        runValidation(truth, folder, {},
+                      [&](QWidget* progress)
+                      {
+                          sinceCancel.start();
+                          QTest::mouseClick(progress->findChild<QPushButton*>(), Qt::LeftButton);
+                      });
+        check(sinceCancel.isValid() && sinceCancel.elapsed() < kCancel_ms + 300,
+              QString("cancelling took %1 ms").arg(sinceCancel.isValid() ? sinceCancel.elapsed() : -1));
+        check(entityCount() == before && !QFile::exists(folder), "cancelling leaves nothing");
+
+        const unsigned fields = cloud()->getNumberOfScalarFields();
+        runValidation(truth, folder, "validate_dialog");
+        check(QFile::exists(folder + "/report.html"), "the report was written");
+        check(cloud()->getNumberOfScalarFields() == fields, "the cloud is unchanged");
+        checkValidation();
+    }
+
+    void checkValidation()
+    {
+        const auto copies = named<ccPointCloud>(cloud()->getName() + " [deviation]");
+        check(copies.size() == 1, "there is a copy of the cloud");
+        if (copies.size() != 1)
+            return;
+        const ccScalarField* field = copies.front()->getCurrentDisplayedScalarField();
+        check(field && QString(field->getName()) == "S2B deviation" && copies.front()->sfShown(),
+              "it shows its deviations");
+        check(field && field->symmetricalScale() && field->saturationRange().stop() > 0.0F,
+              "in colours that are symmetric about 0");
+        std::size_t near = 0;
+        for (unsigned i = 0; field && i < field->size(); ++i)
+            near += std::abs(field->getValue(i)) < 0.02F ? 1 : 0;
+        check(near > copies.front()->size() / 4, QString("%1 points lie on the model").arg(near));
+        const auto within = named("Within tolerance");
+        check(within.size() == 1 && within.front()->getParent()->getName().endsWith("[validation]"),
+              "there is a group of what is within tolerance");
+        std::size_t walls = 0;
+        for (unsigned i = 0; !within.empty() && i < within.front()->getChildrenNumber(); ++i)
+        {
+            const ccHObject* element = within.front()->getChild(i);
+            walls += element->getMetaData("Class").toString() == "wall" && element->hasMetaData("GUID") ? 1 : 0;
+        }
+        check(walls > 0, QString("%1 walls are within tolerance").arg(walls));
+        unselectAll();
+        m_app->setView(CC_ISO_VIEW_1);
+        m_app->setGlobalZoom();
+        m_app->redrawAll();
+        shoot("validation_deviations");
+        copies.front()->setEnabled(false);
+        if (!within.empty())
+            select(within.front()->getChild(0));
+        m_app->redrawAll();
+        shoot("validation_verdicts");
     }
 
     QMenu* m_plugins = nullptr;
