@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/openings/leaf.h"
 #include "core/openings/openings.h"
 #include "core/openings/wall_view.h"
 #include "core/walls/plan_mask.h"
@@ -11,48 +12,6 @@ namespace s2b
 {
 namespace
 {
-
-/// The leaf of a door that stands open: labelled points beside the wall, within a leaf's reach of one jamb.
-void findLeaf(Opening& o, const WallView& view, const Hole& hole)
-{
-    std::array<std::array<double, 2>, 2> cells{};  // [jamb][side]
-    double inHole = 0;
-    for (const WallPoint& p : view.points)
-    {
-        if (p.label != Label::Door || p.z < 0.2 || p.z > hole.top)
-            continue;
-        if (p.s > hole.begin + 0.08 && p.s < hole.end - 0.08 && std::abs(p.d) < view.half_m)
-            inHole += 1;
-        if (std::abs(p.d) < view.half_m + 0.08)
-            continue;
-        const double reach = hole.width() + 0.1;
-        for (std::size_t jamb = 0; jamb < 2; ++jamb)
-            if (std::hypot(p.s - (jamb == 0 ? hole.begin : hole.end), std::abs(p.d) - view.half_m) < reach)
-                cells[jamb][p.d > 0 ? 0 : 1] += 1 / (0.3 + std::abs(p.s - (jamb == 0 ? hole.begin : hole.end)));
-    }
-    const double area = view.cell_m * view.cell_m;
-    if (inHole * area > 0.25 * hole.width() * hole.height())
-    {
-        o.leafState = LeafState::Closed;
-        return;
-    }
-    double best = 0;
-    for (std::size_t jamb = 0; jamb < 2; ++jamb)
-        for (std::size_t side = 0; side < 2; ++side)
-            if (cells[jamb][side] > best)
-            {
-                best = cells[jamb][side];
-                o.hingeAtStart = jamb == 0;
-                o.opensToLeft = side == 0;
-            }
-    if (best * area > 0.2 * hole.width() * hole.height())
-    {
-        o.leafState = LeafState::Open;
-        o.leaves = 1;
-    }
-    else
-        o.hingeAtStart = o.opensToLeft = false;
-}
 
 bool isDoorSize(const Hole& h)
 {
@@ -148,8 +107,9 @@ OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, co
             for (const Hole& h : recessedHoles(view, taken, params.minimumWindowWidth_m,
                                                params.maximumDoorWidth_m + 2.0, params.minimumWindowHeight_m))
                 if (std::none_of(taken.begin(), taken.end(), [&](const Hole& k) { return k.overlaps(h); }))
-                    add(h, h.bottom < 0.15 && h.top > 1.85 && h.top < 2.45 && h.width() < 2.2 &&
-                                   h.width() > params.minimumDoorWidth_m
+                    // A leaf is narrower than its hole.
+                    add(h, h.bottom < 0.04 && h.top > 1.85 && h.top < 2.45 && h.width() < 2.2 &&
+                                   h.width() > 0.7 * params.minimumDoorWidth_m
                                ? OpeningKind::Door
                                : OpeningKind::Window);
     }

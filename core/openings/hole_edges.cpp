@@ -41,6 +41,23 @@ std::optional<double> headNear(const WallView& view, double begin, double end, d
     return median(at);
 }
 
+std::optional<double> sillAbove(const WallView& view, double begin, double end, double reach)
+{
+    constexpr double threshold_m = 0.04;  // lower than this one steps over it
+    const double step = std::max(0.05, 1.5 * view.cell_m);
+    std::vector<char> covered(static_cast<std::size_t>(std::max(1.0, std::ceil((end - begin) / step))), 0);
+    std::vector<double> at;
+    for (const WallPoint& p : view.points)
+        if (p.upward > 0.8 && view.isInBody(p, 0.005) && p.s > begin && p.s < end && p.z > threshold_m && p.z < reach)
+        {
+            at.push_back(p.z);
+            covered[std::min(covered.size() - 1, static_cast<std::size_t>((p.s - begin) / step))] = 1;
+        }
+    if (2 * std::count(covered.begin(), covered.end(), 1) < static_cast<std::ptrdiff_t>(covered.size()))
+        return std::nullopt;
+    return median(at);
+}
+
 double faceEdge(const WallView& view, double s, bool holeIsRight, double bottom, double top)
 {
     std::vector<double> at;

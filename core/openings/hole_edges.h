@@ -14,6 +14,10 @@ namespace s2b
 /// Height of a level surface inside the body near z (a head's soffit, a sill), between two places along the wall.
 [[nodiscard]] std::optional<double> headNear(const WallView& view, double begin, double end, double z);
 
+/// Height of a sill between two places along the wall: a level surface inside the body, above the floor and within
+/// `reach` of it, over most of the width. A doorway has none.
+[[nodiscard]] std::optional<double> sillAbove(const WallView& view, double begin, double end, double reach);
+
 /// Where the faces end towards the hole: the outermost of their points near s; s itself when there are too few.
 [[nodiscard]] double faceEdge(const WallView& view, double s, bool holeIsRight, double bottom, double top);
 

@@ -73,7 +73,8 @@ Raster rasterOf(const WallView& view, bool left, const std::vector<Hole>& taken)
 /// A connected region of missing face, as its box of squares [x0, x1) x [y0, y1).
 struct Region
 {
-    int x0 = 0, x1 = 0, y0 = 0, y1 = 0, area = 0;
+    int x0 = 0, x1 = 0, y0 = 0, y1 = 0;
+    std::vector<std::pair<int, int>> squares;
 };
 
 std::vector<Region> missingRegions(const Raster& r)
@@ -86,14 +87,14 @@ std::vector<Region> missingRegions(const Raster& r)
         {
             if (visited[r.at(x, y)])
                 continue;
-            Region region{x, x + 1, y, y + 1, 0};
+            Region region{x, x + 1, y, y + 1, {}};
             stack.assign(1, {x, y});
             visited[r.at(x, y)] = 1;
             while (!stack.empty())
             {
                 const auto [u, v] = stack.back();
                 stack.pop_back();
-                ++region.area;
+                region.squares.emplace_back(u, v);
                 region.x0 = std::min(region.x0, u), region.x1 = std::max(region.x1, u + 1);
                 region.y0 = std::min(region.y0, v), region.y1 = std::max(region.y1, v + 1);
                 for (const auto& [dx, dy] : std::array<std::pair<int, int>, 4>{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}})
@@ -141,6 +142,28 @@ double edgeShare(const Raster& r, const Region& g, int side)
     return static_cast<double>(hits) / std::max(1, length);
 }
 
+/// Shrinks the region to the box of what was seen behind: furniture in front of a wall hides more than its window.
+void trimHidden(const Raster& r, Region& g)
+{
+    std::vector<int> columns(static_cast<std::size_t>(r.columns), 0), rows(static_cast<std::size_t>(r.rows), 0);
+    for (const auto& [x, y] : g.squares)
+        if (r.behind[r.at(x, y)])
+            ++columns[static_cast<std::size_t>(x)], ++rows[static_cast<std::size_t>(y)];
+    // Jambs, sill and head fill their column or row; stray points don't.
+    const auto shrink = [](const std::vector<int>& counts, int& from, int& to, int least)
+    {
+        while (from < to && counts[static_cast<std::size_t>(from)] < least)
+            ++from;
+        while (to > from && counts[static_cast<std::size_t>(to - 1)] < least)
+            --to;
+    };
+    const int leastInColumn = std::max(2, (g.y1 - g.y0) / 6), leastInRow = std::max(2, (g.x1 - g.x0) / 6);
+    shrink(columns, g.x0, g.x1, leastInColumn);
+    shrink(rows, g.y0, g.y1, leastInRow);
+    std::erase_if(g.squares, [&](const auto& q)
+                  { return q.first < g.x0 || q.first >= g.x1 || q.second < g.y0 || q.second >= g.y1; });
+}
+
 }  // namespace
 
 std::vector<Hole> recessedHoles(const WallView& view, const std::vector<Hole>& taken, double minimumWidth_m,
@@ -154,10 +177,11 @@ std::vector<Hole> recessedHoles(const WallView& view, const std::vector<Hole>& t
         std::vector<Hole> known = taken;
         known.insert(known.end(), holes.begin(), holes.end());
         const Raster r = rasterOf(view, left, known);
-        for (const Region& g : missingRegions(r))
+        for (Region g : missingRegions(r))
         {
+            trimHidden(r, g);
             const double width = (g.x1 - g.x0) * r.step, height = (g.y1 - g.y0) * r.step;
-            const double fill = static_cast<double>(g.area) / ((g.x1 - g.x0) * (g.y1 - g.y0));
+            const double fill = static_cast<double>(g.squares.size()) / std::max(1, (g.x1 - g.x0) * (g.y1 - g.y0));
             if (width < minimumWidth_m || width > maximumWidth_m || height < minimumHeight_m || fill < 0.7 ||
                 g.x0 == 0 || g.x1 == r.columns)
                 continue;
@@ -171,14 +195,20 @@ std::vector<Hole> recessedHoles(const WallView& view, const std::vector<Hole>& t
             h.begin = r.begin + g.x0 * r.step, h.end = r.begin + g.x1 * r.step;
             h.bottom = g.y0 * r.step, h.top = g.y1 * r.step;
             const double low = h.bottom + 0.1 * height, high = h.top - 0.1 * height;
-            h.begin = jambNear(view, h.begin, low, high, 0.10).value_or(faceEdge(view, h.begin, true, low, high));
-            h.end = jambNear(view, h.end, low, high, 0.10).value_or(faceEdge(view, h.end, false, low, high));
-            h.top = headNear(view, h.begin + 0.05, h.end - 0.05, h.top).value_or(h.top);
+            const std::optional<double> begin = jambNear(view, h.begin, low, high, 0.10),
+                                        end = jambNear(view, h.end, low, high, 0.10),
+                                        head = headNear(view, h.begin + 0.05, h.end - 0.05, h.top);
+            // Furniture hides one face and leaves the other; only a hole has jambs and a head.
+            if (begin.has_value() + end.has_value() + head.has_value() < 2)
+                continue;
+            h.begin = begin.value_or(faceEdge(view, h.begin, true, low, high));
+            h.end = end.value_or(faceEdge(view, h.end, false, low, high));
+            h.top = head.value_or(h.top);
             if (g.y0 > 1)
                 h.bottom = headNear(view, h.begin + 0.05, h.end - 0.05, h.bottom).value_or(h.bottom);
             else
-                h.bottom = 0;
-            h.points = static_cast<std::uint64_t>(g.area);
+                h.bottom = sillAbove(view, h.begin + 0.05, h.end - 0.05, 0.3).value_or(0.0);
+            h.points = g.squares.size();
             if (h.width() >= minimumWidth_m && h.height() >= minimumHeight_m)
                 holes.push_back(h);
         }

@@ -108,9 +108,13 @@ std::vector<Hole> voidsFromFloor(const WallView& view, const std::vector<Hole>& 
         const std::optional<double> head = headNear(view, h.begin + 0.05, h.end - 0.05, h.top);
         // Open is what was seen through: the floor runs on through the wall, jambs and head show the wall's depth, or a
         // leaf stands beside it. One sign alone may be a shadow.
-        const int signs = 2 * (floorSeen(h.begin + 0.1, h.end - 0.1) > 0.25) + left.has_value() + right.has_value() +
-                          head.has_value() + leafBeside(view, h);
-        if (signs < 2)
+        const bool floorRunsOn = floorSeen(h.begin + 0.1, h.end - 0.1) > 0.25;
+        const int signs =
+            2 * floorRunsOn + left.has_value() + right.has_value() + head.has_value() + leafBeside(view, h);
+        // Below a window the wall may be hidden by furniture: a doorway shows its jambs down to the floor.
+        const bool reachesFloor =
+            floorRunsOn || jambNear(view, h.begin, 0.1, 0.7, 0.12) || jambNear(view, h.end, 0.1, 0.7, 0.12);
+        if (signs < 2 || (!view.hasLabels && (!reachesFloor || sillAbove(view, h.begin + 0.1, h.end - 0.1, 0.3))))
             continue;
         h.begin = left.value_or(faceEdge(view, h.begin, true, low, high));
         h.end = right.value_or(faceEdge(view, h.end, false, low, high));
