@@ -1,13 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "S2BValidate.h"
+#include "core/report/color.h"
 
-#include <ccColorScalesManager.h>
+#include <ccColorScale.h>
 #include <ccPointCloud.h>
 #include <ccScalarField.h>
-#include <cmath>
 
 namespace s2b
 {
+	namespace
+	{
+		// The colours of the report, ending at the limit: CloudCompare's own scales would end at the farthest point.
+		ccColorScale::Shared divergingScale(double limit)
+		{
+			constexpr int        kSteps = 8;
+			ccColorScale::Shared scale  = ccColorScale::Create("S2B deviation");
+			for (int i = 0; i <= kSteps; ++i)
+			{
+				const report::Color color = report::divergingColor(2.0 * i / kSteps - 1.0);
+				scale->insert(ccColorScaleElement(static_cast<double>(i) / kSteps, QColor(color.r, color.g, color.b)), false);
+			}
+			scale->setAbsolute(-limit, limit);
+			scale->update();
+			return scale;
+		}
+	} // namespace
+
 	std::unique_ptr<ccPointCloud> deviationCopy(const ccPointCloud& cloud, const validation::CloudDeviation& deviation, std::size_t first, double limit_m)
 	{
 		// cloneThis() is not const, but changes nothing.
@@ -24,10 +42,7 @@ namespace s2b
 		for (std::size_t i = first; i < first + cloud.size(); ++i)
 			field->addElement(static_cast<ScalarType>(deviation.distance_m[i] * scale));
 		field->computeMinAndMax();
-		field->setColorScale(ccColorScalesManager::GetDefaultScale(ccColorScalesManager::BWR));
-		field->setSymmetricalScale(true);
-		field->setSaturationStart(0);
-		field->setSaturationStop(static_cast<ScalarType>(limit_m * scale));
+		field->setColorScale(divergingScale(limit_m * scale));
 		field->showNaNValuesInGrey(true);
 
 		const int old = copy->getScalarFieldIndexByName(kDeviationField);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "S2BOptions.h"
 
-#include "S2BValidationParameters.h"
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
+#include "core/validation/validation_parameters.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -95,7 +95,9 @@ namespace s2b
 
 		void setAny(CommandOptions& options, const QString& assignment)
 		{
-			if (!setValidationParameter(options.validation, assignment))
+			if (assignment.trimmed().startsWith("validation.", Qt::CaseInsensitive))
+				validation::setParameter(options.validation, assignment.toStdString());
+			else
 				setParameter(options.pipeline.parameters, assignment.toStdString());
 		}
 
@@ -184,7 +186,7 @@ namespace s2b
 
 		if (options.pipeline.geometryOnly && !options.labelField.isEmpty())
 			fail("-GEOMETRY_ONLY and -LABELS contradict each other: give one of them");
-		checkValidationParameters(options.validation);
+		validation::checkParams(options.validation);
 		if (options.truthPath.isEmpty() && !options.storeys.isEmpty())
 			fail("-STOREYS chooses storeys of a ground truth: give one with -VALIDATE FILE");
 		if (!options.reconstruct && options.ifcPath.isEmpty() && options.truthPath.isEmpty())

@@ -96,7 +96,7 @@ S2BValidateDlg::S2BValidateDlg(const QString& subject, const QString& name, bool
 	folder->setEnabled(m_writeReport->isChecked());
 	m_openReport->setEnabled(m_writeReport->isChecked());
 	updateButtons();
-	resize(560, 300);
+	resize(560, minimumSizeHint().height());
 }
 
 QWidget* S2BValidateDlg::makePathRow(QLineEdit*& edit, const char* name, const std::function<void()>& browse)

@@ -22,12 +22,14 @@
 #include <QScreen>
 #include <QTabWidget>
 #include <QTimer>
+#include <QTreeView>
 #include <QTreeWidget>
 #include <QtTest/QTest>
 
 #include <cmath>
 #include <cstdio>
 
+#include <ccColorScale.h>
 #include <ccMesh.h>
 #include <ccPointCloud.h>
 #include <ccScalarField.h>
@@ -417,6 +419,22 @@ private:
         action("S2B.Reconstruct")->trigger();
     }
 
+    /// The model and the cloud, with the control key held as it were.
+    void selectBoth()
+    {
+        select(model());
+        for (auto* view : m_app->getMainWindow()->findChildren<QTreeView*>())
+        {
+            if (!view->model() || view->model()->rowCount() == 0)
+                continue;
+            const QModelIndex top = view->model()->index(0, 0);
+            for (const QModelIndex& index : view->model()->match(top, Qt::DisplayRole, cloud()->getName(), 1,
+                                                                 Qt::MatchExactly | Qt::MatchRecursive))
+                view->selectionModel()->select(index, QItemSelectionModel::Select);
+        }
+        QApplication::processEvents();
+    }
+
     ccHObject* model()
     {
         const auto walls = named<ccMesh>("Wall ");
@@ -434,6 +452,7 @@ private:
     void runValidation(const QString& truth, const QString& folder, const QString& picture,
                        const std::function<void(QWidget*)>& onProgress = {})
     {
+        selectBoth();
         whenShown("S2BValidateDlg",
                   [=, this](QWidget* dialog)
                   {
@@ -468,9 +487,9 @@ private:
             return check(false, "there is a model");
         select(model());
         check(validate->isEnabled(), "a model can be validated");
-        m_app->setSelectedInDB(cloud(), true);
-        QApplication::processEvents();
-        check(validate->isEnabled(), "a model and a cloud can be validated together");
+        selectBoth();
+        check(m_app->getSelectedEntities().size() == 2 && validate->isEnabled(),
+              "a model and a cloud can be validated together");
 
         // What is wrong, or cancelled, changes nothing.
         const std::size_t before = entityCount();
@@ -511,8 +530,11 @@ private:
         const ccScalarField* field = copies.front()->getCurrentDisplayedScalarField();
         check(field && QString(field->getName()) == "S2B deviation" && copies.front()->sfShown(),
               "it shows its deviations");
-        check(field && field->symmetricalScale() && field->saturationRange().stop() > 0.0F,
-              "in colours that are symmetric about 0");
+        double low = 0.0;
+        double high = 0.0;
+        if (field && field->getColorScale() && !field->getColorScale()->isRelative())
+            field->getColorScale()->getAbsoluteBoundaries(low, high);
+        check(high > 0.0 && low == -high, QString("in colours that are symmetric about 0, to %1 m").arg(high));
         std::size_t near = 0;
         for (unsigned i = 0; field && i < field->size(); ++i)
             near += std::abs(field->getValue(i)) < 0.02F ? 1 : 0;
