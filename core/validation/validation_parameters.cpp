@@ -79,11 +79,11 @@ const std::vector<ParameterRow>& parameterRows()
         row<&P::minimumCoverage>("validation.minimumCoverage", "1", 0, 1, "Share of an element's visible surface with points from which it counts as seen.", "practice: the tenth from which a person recognises it"),
         row<&P::minimumMatch>("validation.minimumMatch", "1", 0.01, 1, "IoU from which a pair is one element, in deviations of position and size.", "CV4AEC challenge, lowest IoU threshold"),
         row<&P::tolerance>("validation.tolerance", "1", 10, 50, "Level of accuracy that an element has to keep: 10, 20, 30, 40 or 50.", "practice: the level that scans of buildings are commonly modelled to"),
-        limit<0>("validation.loa10", "Deviation that 95 % of an element's points keep in LOA10.", "USIBD C120 leaves it to the user; practice: three times LOA20's lower end"),
-        limit<1>("validation.loa20", "The same in LOA20.", "USIBD C120, 2016, levels of accuracy"),
-        limit<2>("validation.loa30", "The same in LOA30.", "USIBD C120, 2016, levels of accuracy"),
-        limit<3>("validation.loa40", "The same in LOA40.", "USIBD C120, 2016, levels of accuracy"),
-        limit<4>("validation.loa50", "The same in LOA50.", "USIBD C120, 2016, levels of accuracy"),
+        limit<0>("validation.loa10", "Deviation that 95 % of an element's points keep in LOA10.", "USIBD C120, levels of accuracy"),
+        limit<1>("validation.loa20", "The same in LOA20.", "USIBD C120, levels of accuracy"),
+        limit<2>("validation.loa30", "The same in LOA30.", "USIBD C120, levels of accuracy"),
+        limit<3>("validation.loa40", "The same in LOA40.", "USIBD C120, levels of accuracy"),
+        limit<4>("validation.loa50", "The same in LOA50.", "USIBD C120, levels of accuracy"),
     };
     return kRows;
 }
