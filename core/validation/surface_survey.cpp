@@ -147,9 +147,7 @@ public:
           m_gatherers(bim.elements.size())
     {
         if (cloud.labels != nullptr)
-            for (std::size_t c = 0; c < kClasses; ++c)
-                m_ofClass[c].emplace(m_triangles,
-                                     indices([&](ElementClass e) { return static_cast<std::size_t>(e) == c; }));
+            prepareLabels();
         const std::size_t cells = m_faces.cells().size();
         m_survey.isSeen.assign(cells, 0);
         m_survey.isHidden.assign(cells, 0);
@@ -184,13 +182,35 @@ private:
         return which;
     }
 
-    /// The surfaces that a point is compared with; null: none.
-    [[nodiscard]] const SurfaceSearch* searchFor(std::size_t point) const
+    /// Points of a class are compared with elements of it, and with those of classes that the labels don't tell apart.
+    void prepareLabels()
+    {
+        std::array<std::atomic<bool>, kClasses> isUsed{};
+        parallelChunks(m_cloud.count, kChunk, m_context,
+                       [&](std::size_t begin, std::size_t end)
+                       {
+                           std::array<bool, 256> isThere{};
+                           for (std::size_t i = begin; i < end; ++i)
+                               isThere[m_cloud.labels[i]] = true;
+                           for (std::size_t label = 0; label < isThere.size(); ++label)
+                               if (const auto c = classOfLabel(static_cast<Label>(label)); c && isThere[label])
+                                   isUsed[static_cast<std::size_t>(*c)] = true;
+                       });
+        const auto isUntold = [&](ElementClass e) { return !isUsed[static_cast<std::size_t>(e)]; };
+        for (std::size_t c = 0; c < kClasses; ++c)
+            if (isUsed[c])
+                m_ofClass[c].emplace(m_triangles, indices([&](ElementClass e)
+                                                          { return static_cast<std::size_t>(e) == c || isUntold(e); }));
+        m_untold.emplace(m_triangles, indices(isUntold));
+    }
+
+    /// The surfaces that a point is compared with.
+    [[nodiscard]] const SurfaceSearch& searchFor(std::size_t point) const
     {
         if (m_cloud.labels == nullptr)
-            return &m_all;
+            return m_all;
         const auto elementClass = classOfLabel(static_cast<Label>(m_cloud.labels[point]));
-        return elementClass ? &*m_ofClass[static_cast<std::size_t>(*elementClass)] : nullptr;
+        return elementClass ? *m_ofClass[static_cast<std::size_t>(*elementClass)] : *m_untold;
     }
 
     void measure(std::size_t begin, std::size_t end)
@@ -199,16 +219,13 @@ private:
         auto gathered = m_gatherers.take();
         for (std::size_t i = begin; i < end; ++i)
         {
-            const SurfaceSearch* search = searchFor(i);
-            if (search == nullptr)
-                continue;
             const float* xyz = m_cloud.xyz + 3 * i;
             const Eigen::Vector3f point = (Eigen::Vector3d(static_cast<double>(xyz[0]), static_cast<double>(xyz[1]),
                                                            static_cast<double>(xyz[2])) +
                                            shift)
                                               .cast<float>();
             Nearest nearest;
-            if (point.allFinite() && search->find(point, m_range, -1, nearest))
+            if (point.allFinite() && searchFor(i).find(point, m_range, -1, nearest))
                 take(i, point, nearest, *gathered);
         }
         m_gatherers.giveBack(std::move(gathered));
@@ -335,6 +352,7 @@ private:
     FaceCells m_faces;
     SurfaceSearch m_all;
     std::array<std::optional<SurfaceSearch>, kClasses> m_ofClass;  ///< only with labels
+    std::optional<SurfaceSearch> m_untold;                         ///< likewise
     std::vector<std::uint32_t> m_counts;                           ///< kBins per element
     Gatherers m_gatherers;
     SurfaceSurvey m_survey;

@@ -150,7 +150,7 @@ private:
             }
         }
         if (const Share floor = floorOf(storey); floor.all_m2 >= kLeastFloor_m2)
-            isSurveyed = floor.value() >= m_least;
+            isSurveyed = floor.value() >= m_least || wallsOf(storey).value() >= kSideFactor * m_least;
         else if (!hasBody)
             isSurveyed = true;
         m_truth.storeys[static_cast<std::size_t>(storey)].isSurveyed &= isSurveyed;
@@ -180,6 +180,18 @@ private:
                 for (const std::size_t c : m_cells[e])
                     if (static_cast<double>(m_survey.cells[c].normal.z()) > kFacing &&
                         std::abs(static_cast<double>(m_survey.cells[c].center.z()) - elevation) < kFloor_m)
+                        share.add(m_survey, c);
+        return share;
+    }
+
+    /// All upright faces of its walls.
+    [[nodiscard]] Share wallsOf(int storey) const
+    {
+        Share share;
+        for (std::size_t e = 0; e < m_truth.elements.size(); ++e)
+            if (m_truth.elements[e].storey == storey && m_truth.elements[e].elementClass == ElementClass::Wall)
+                for (const std::size_t c : m_cells[e])
+                    if (std::abs(m_survey.cells[c].normal.z()) < 0.5F)
                         share.add(m_survey, c);
         return share;
     }

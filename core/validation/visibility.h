@@ -12,8 +12,8 @@ namespace s2b::validation
 /// elements); a straight wall, when they lie on three times that share of one of its sides; a door or window in a wall,
 /// when they lie on that share, and on 0.1 m2, of the wall around it: an open or missing leaf is no reason to leave it
 /// out. A storey was surveyed when at least that share of its floor slabs' upper side has points, which nobody sees
-/// from below. Without such slabs, when one of its walls or columns counts. Floor and ceiling of a storey are the
-/// median heights where its counted walls' points begin and end.
+/// from below, or three times that share of its walls; without floor slabs, when one of its walls or columns counts.
+/// Floor and ceiling of a storey are the median heights where its counted walls' points begin and end.
 void judgeVisibility(Bim& truth, const SurfaceSurvey& survey, const ValidationParams& params);
 
 }  // namespace s2b::validation

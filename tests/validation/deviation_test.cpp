@@ -177,6 +177,19 @@ TEST(Deviation, LabelledPointsAreComparedWithTheirOwnClassOnly)
     EXPECT_EQ(without.element, (std::vector<std::int32_t>{1, 1, 1}));
 }
 
+TEST(Deviation, ClassesThatTheLabelsDoNotTellApartAreComparedWithAllPoints)
+{
+    const Bim bim = bimOf({wall({0, 0}, {4, 0}, 0.2), box(ElementClass::Column, rectangle(1, 0.15, 1.4, 0.55), 0, 3)});
+    Points points;
+    points.add({1.2, 0.14, 1}, Label::Wall);
+    points.add({1.2, 0.56, 1}, Label::Furniture);
+    const CloudDeviation untold = measureDeviation(bim, points.view(true), {}, true, {});
+    EXPECT_EQ(untold.element, (std::vector<std::int32_t>{1, 1}));
+    points.add({1.2, 0.56, 1}, Label::Column);
+    const CloudDeviation told = measureDeviation(bim, points.view(true), {}, true, {});
+    EXPECT_EQ(told.element, (std::vector<std::int32_t>{0, -1, 1}));
+}
+
 TEST(Deviation, TheHistogramSpansTheRange)
 {
     Points points;

@@ -81,6 +81,18 @@ TEST(Visibility, HeightsAreComparedBetweenTheFloorAndTheCeilingThatWereSeen)
     EXPECT_NEAR(*s.iouFull, 2.5 / 3.0, 1e-6);
 }
 
+TEST(Visibility, AStoreyUnderARaisedFloorIsSurveyedByItsWalls)
+{
+    Points points;
+    points.face({0, 0.1, 0.4}, {5, 0, 0}, {0, 0, 2.1});
+    points.face({0, 3.9, 0.4}, {5, 0, 0}, {0, 0, 2.1});
+    points.face({0, 0.2, 0.4}, {5, 0, 0}, {0, 3.6, 0}, Label::Floor);  // 40 cm above the slab
+    const CloudView view = points.view();
+    const Validation v = validate(twoStoreys(), bimOf({}), &view, {}, {});
+    EXPECT_EQ(v.scores.at(ElementClass::Wall).truthCount, 2);
+    EXPECT_EQ(v.storeys.size(), 1U);
+}
+
 TEST(Visibility, OneSideSeenIsOneSide)
 {
     const Points points = groundFloor(true);
