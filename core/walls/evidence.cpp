@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <set>
 
@@ -12,26 +11,41 @@ namespace s2b
 namespace
 {
 
-/// Area of the face within the body [m2], of places with at least one cell.
-double coveredArea(const Face& face, const WallBody& body)
+constexpr double kTileCells = 1.5;  // edge of a coverage tile in surface cells
+
+/// Area of the face between two places along it [m2], of tiles with at least one cell.
+///
+/// Tiles are a bin and a row, or as many of them as the spacing of the points needs: a thin scan of a whole face covers
+/// it as well.
+double coveredArea(const Face& face, double from, double to, double cell_m)
 {
-    double area = 0;
-    for (std::size_t b = 0; b < face.rows.size(); ++b)
+    const auto bins = static_cast<std::size_t>(std::max(1.0, std::ceil(kTileCells * cell_m / Face::kBin_m)));
+    const int rows = std::max(1, static_cast<int>(std::ceil(kTileCells * cell_m / Face::kRow_m)));
+    std::size_t tiles = 0;
+    for (std::size_t first = 0; first < face.rows.size(); first += bins)
     {
-        const double s = face.begin + (static_cast<double>(b) + 0.5) * Face::kBin_m;
-        if (s > body.begin && s < body.end)
-            area += std::popcount(face.rows[b]) * Face::kRow_m * Face::kBin_m;
+        std::uint64_t seen = 0;
+        std::size_t inside = 0;
+        for (std::size_t b = first; b < std::min(first + bins, face.rows.size()); ++b)
+            if (const double s = face.begin + (static_cast<double>(b) + 0.5) * Face::kBin_m; s > from && s < to)
+                seen |= face.rows[b], ++inside;
+        for (int row = 0; row < 64; row += rows)
+            if (seen >> row & ((1ull << rows) - 1))
+                tiles += inside * static_cast<std::size_t>(rows);
     }
-    return area;
+    return static_cast<double>(tiles) * Face::kRow_m * Face::kBin_m;
+}
+
+double coveredArea(const Face& face, const WallBody& body, double cell_m)
+{
+    return coveredArea(face, body.begin, body.end, cell_m);
 }
 
 /// Share of its places' area that the face's cells cover.
-double fillOf(const Face& face)
+double fillOf(const Face& face, double cell_m)
 {
-    std::size_t places = 0;
-    for (const std::uint64_t rows : face.rows)
-        places += static_cast<std::size_t>(std::popcount(rows));
-    return places == 0 ? 0.0 : face.area_m2 / (static_cast<double>(places) * Face::kRow_m * Face::kBin_m);
+    const double area = coveredArea(face, face.begin, face.end, cell_m);
+    return area <= 0 ? 0.0 : face.area_m2 / area;
 }
 
 double areaOf(const WallBody& body)
@@ -48,7 +62,7 @@ std::array<std::set<std::uint32_t>, 2> sidesOf(const WallBody& body)
 
 }  // namespace
 
-Evidence evidenceOf(const WallBody& body, const std::vector<Face>& faces)
+Evidence evidenceOf(const WallBody& body, const std::vector<Face>& faces, double cell_m)
 {
     Evidence e;
     e.facesSeen = body.lowSeen + body.highSeen;
@@ -64,7 +78,7 @@ Evidence evidenceOf(const WallBody& body, const std::vector<Face>& faces)
             weight += face.area_m2;
             square += face.area_m2 * face.rms_m * face.rms_m;
             label += face.area_m2 * face.wallShare;
-            covered += coveredArea(face, body);
+            covered += coveredArea(face, body, cell_m);
         }
         e.faceCoverage[side] = std::clamp(covered / areaOf(body), 0.0, 1.0);
     }
@@ -73,7 +87,7 @@ Evidence evidenceOf(const WallBody& body, const std::vector<Face>& faces)
     return e;
 }
 
-double seenShare(const WallBody& body, const std::vector<Face>& faces)
+double seenShare(const WallBody& body, const std::vector<Face>& faces, double cell_m)
 {
     // Cells of a surface at the scan's own spacing fill their places; a third of that is still a surface seen from
     // afar.
@@ -83,7 +97,7 @@ double seenShare(const WallBody& body, const std::vector<Face>& faces)
     {
         double covered = 0;
         for (const std::uint32_t f : side)
-            covered += coveredArea(faces[f], body) * std::min(1.0, fillOf(faces[f]) / fullFill);
+            covered += coveredArea(faces[f], body, cell_m) * std::min(1.0, fillOf(faces[f], cell_m) / fullFill);
         best = std::max(best, covered / areaOf(body));
     }
     return best;

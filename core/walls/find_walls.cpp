@@ -43,7 +43,7 @@ WallResult findWalls(const SurfaceCells& cells, const CellIndex& index, const Le
     settleThickness(bodies, cells, index, level, mask, params);
     bodies = mergeBodies(std::move(bodies), mask, params);
     bodies = settleHeights(std::move(bodies), faces, level, mask);
-    std::erase_if(bodies, [&](const WallBody& b) { return seenShare(b, faces) < params.minimumCoverage; });
+    std::erase_if(bodies, [&](const WallBody& b) { return seenShare(b, faces, cells.size_m) < params.minimumCoverage; });
     context.checkCancelled();
     Plan plan = connectWalls(std::move(bodies), mask, params);
     dropFreePieces(plan, params.minimumFreeLength_m);
@@ -68,7 +68,7 @@ WallResult findWalls(const SurfaceCells& cells, const CellIndex& index, const Le
         w.base_m = p.body.bottom;
         w.height = {height, level.ceilingSeen || !reachesCeiling ? Provenance::Measured : Provenance::Assumed,
                     level.floorRms_m};
-        w.evidence = evidenceOf(p.body, faces);
+        w.evidence = evidenceOf(p.body, faces, cells.size_m);
         w.thickness = {p.body.thickness(), p.body.bothSeen() ? Provenance::Measured : Provenance::Assumed,
                        w.evidence.rms_m};
         const int external = externalOf(p.body, mask);
