@@ -89,7 +89,7 @@ std::string makeCsv(const Scene& scene)
         const ElementResult& pair = row.pair;
         std::vector<std::string> fields{std::to_string(row.number),
                                         className(pair.elementClass),
-                                        outcomeName(pair.outcome),
+                                        scene.hasTruth ? outcomeName(pair.outcome) : "",
                                         verdictName(row.verdict),
                                         loaName(row.band),
                                         row.storey,

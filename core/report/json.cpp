@@ -103,18 +103,18 @@ Json sideJson(const BimElement* element, int index)
             {"index", index}};
 }
 
-Json rowJson(const Row& row)
+Json rowJson(const Row& row, bool hasTruth)
 {
     return {{"number", row.number},
             {"class", className(row.pair.elementClass)},
-            {"outcome", outcomeName(row.pair.outcome)},
+            {"outcome", hasTruth ? Json(outcomeName(row.pair.outcome)) : Json(nullptr)},
             {"verdict", verdictName(row.verdict)},
             {"reason", row.reason},
             {"loa", loaName(row.band)},
             {"storey", row.storey},
             {"result", sideJson(row.result, row.pair.result)},
             {"truth", sideJson(row.truth, row.pair.truth)},
-            {"iou", real(row.pair.iou)},
+            {"iou", row.truth && row.result ? real(row.pair.iou) : Json(nullptr)},
             {"centroid_m", optional(row.pair.centroid_m)},
             {"thicknessError_m", optional(row.pair.thicknessError_m)},
             {"heightError_m", optional(row.pair.heightError_m)},
@@ -199,7 +199,7 @@ std::string makeJson(const ReportInput& input, const Scene& scene)
     json["cloudToTruth"] = cloudJson(input.validation->cloudToTruth, params);
     json["elements"] = Json::array();
     for (const Row& row : scene.rows)
-        json["elements"].push_back(rowJson(row));
+        json["elements"].push_back(rowJson(row, scene.hasTruth));
     json["diagnostics"] = diagnosticsJson(input.building);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -50,8 +50,8 @@ bool isInside(const std::vector<Eigen::Vector2d>& ring, const Eigen::Vector2d& p
     return inside;
 }
 
-/// Empties the cells outside all of the outlines.
-void keepWithin(Raster& raster, const std::vector<Polygon>& outlines)
+/// Empties the cells outside all of the outlines, or inside one of the others.
+void keepWithin(Raster& raster, const std::vector<Polygon>& outlines, const std::vector<Polygon>& others)
 {
     for (std::size_t i = 0; i < raster.count.size(); ++i)
     {
@@ -60,7 +60,9 @@ void keepWithin(Raster& raster, const std::vector<Polygon>& outlines)
         const auto column = static_cast<double>(i % static_cast<std::size_t>(raster.width));
         const auto row = static_cast<double>(i / static_cast<std::size_t>(raster.width));
         const Eigen::Vector2d middle = raster.low + Eigen::Vector2d(column + 0.5, row + 0.5) * raster.cell_m;
-        if (std::none_of(outlines.begin(), outlines.end(), [&](const Polygon& o) { return isInside(o.outer, middle); }))
+        const auto isAround = [&](const Polygon& outline) { return isInside(outline.outer, middle); };
+        if (std::none_of(outlines.begin(), outlines.end(), isAround) ||
+            std::any_of(others.begin(), others.end(), isAround))
             raster.count[i] = 0;
     }
 }
@@ -195,6 +197,7 @@ StoreyRasters rasterize(const ReportInput& input, const Scene& scene, const Leve
     };
     std::vector<Target> targetOf(wallOf.size(), Target::None);
     std::vector<Polygon> floorOutlines;
+    std::vector<Polygon> wallOutlines;
     for (const std::size_t i : level.rows)
     {
         const Row& row = scene.rows[i];
@@ -206,10 +209,11 @@ StoreyRasters rasterize(const ReportInput& input, const Scene& scene, const Leve
         targetOf[static_cast<std::size_t>(row.pair.result)] = isFace    ? Target::Faces
                                                               : isFloor ? Target::Floor
                                                                         : Target::None;
-        if (isFloor)
+        if (isFace || isFloor)
         {
             const auto outlines = outlinesOf(*row.result, scene.resultShift);
-            floorOutlines.insert(floorOutlines.end(), outlines.begin(), outlines.end());
+            std::vector<Polygon>& all = isFloor ? floorOutlines : wallOutlines;
+            all.insert(all.end(), outlines.begin(), outlines.end());
         }
     }
     const Eigen::Vector3d shift = input.cloud->origin - scene.base;
@@ -249,7 +253,7 @@ StoreyRasters rasterize(const ReportInput& input, const Scene& scene, const Leve
                 wall->right.add(along_m, z - wall->low_m, distance_m);
         }
     }
-    keepWithin(rasters.floor, floorOutlines);  // beside it, the nearest surface is its edge
+    keepWithin(rasters.floor, floorOutlines, wallOutlines);  // elsewhere its edge is the nearest surface
     rasters.sliceImage = densityImage(rasters.slice);
     rasters.facesImage = deviationImage(rasters.faces, scene.colorRange_m);
     rasters.floorImage = deviationImage(rasters.floor, scene.colorRange_m);

@@ -27,7 +27,8 @@ Polygon rectangle(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double thi
     return {{a - n, b - n, b + n, a + n}, {}};
 }
 
-BimElement wall(const std::string& guid, int storey, const Eigen::Vector2d& a, const Eigen::Vector2d& b, double thickness_m)
+BimElement wall(const std::string& guid, int storey, const Eigen::Vector2d& a, const Eigen::Vector2d& b,
+                double thickness_m)
 {
     BimElement element;
     element.elementClass = ElementClass::Wall;
@@ -79,8 +80,9 @@ std::string guid(char kind, int number)
 ElementResult pairOf(const Bim& truth, const Bim& result, int t, int r, Outcome outcome)
 {
     ElementResult pair;
-    pair.elementClass = (t >= 0 ? truth.elements[static_cast<std::size_t>(t)] : result.elements[static_cast<std::size_t>(r)])
-                            .elementClass;
+    pair.elementClass =
+        (t >= 0 ? truth.elements[static_cast<std::size_t>(t)] : result.elements[static_cast<std::size_t>(r)])
+            .elementClass;
     pair.outcome = outcome;
     pair.truth = t;
     pair.result = r;
@@ -100,8 +102,9 @@ SampleReport::SampleReport()
     result.storeys[0].name = "Level 0";
     result.storeys[1].name = "Level 1";
 
-    const std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> axes{
-        {{0, 0}, {12, 0}}, {{12, 0}, {12, 8}}, {{12, 8}, {0, 8}}, {{0, 8}, {0, 0}}, {{5, 0}, {5, 8}}, {{5, 4}, {12, 4}}};
+    const std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> axes{{{0, 0}, {12, 0}}, {{12, 0}, {12, 8}},
+                                                                        {{12, 8}, {0, 8}}, {{0, 8}, {0, 0}},
+                                                                        {{5, 0}, {5, 8}},  {{5, 4}, {12, 4}}};
     for (int storey = 0; storey < 2; ++storey)
     {
         for (std::size_t i = 0; i < axes.size(); ++i)
@@ -114,7 +117,10 @@ SampleReport::SampleReport()
         truth.elements.push_back(slab(guid('T', 50 + 100 * storey), storey));
         result.elements.push_back(slab(guid('R', 50 + 100 * storey), storey));
     }
-    truth.elements[0].name = "<Wand> & \"S\xC3\xBC" "d\", au\xC3\x9F" "en";  // what a name may hold
+    truth.elements[0].name =
+        "<Wand> & \"S\xC3\xBC"
+        "d\", au\xC3\x9F"
+        "en";  // what a name may hold
     result.elements[0].name = truth.elements[0].name;
     truth.elements.push_back(opening(ElementClass::Door, guid('T', 20), 0, 4, {5, 1.5}, {5, 2.5}));
     result.elements.push_back(opening(ElementClass::Door, guid('R', 20), 0, 4, {5, 1.52}, {5, 2.52}));
@@ -185,7 +191,8 @@ SampleReport::SampleReport()
         double sum = 0.0;
         for (int k = 0; isSeen && k < 12000; ++k)
         {
-            const auto share = [&](std::uint64_t stream) { return randomShare(i + 1, stream, static_cast<std::uint64_t>(k)); };
+            const auto share = [&](std::uint64_t stream)
+            { return randomShare(i + 1, stream, static_cast<std::uint64_t>(k)); };
             const double s = share(0);
             const double t = share(1);
             double off_m = 0.004 * (2.0 * share(2) - 1.0);

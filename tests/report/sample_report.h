@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A validation laid out by hand: a house of two storeys at world coordinates with one element of every kind of outcome,
-/// and points on its walls whose distances are known.
+/// A validation laid out by hand: a house of two storeys at world coordinates with one element of every kind of
+/// outcome, and points on its walls whose distances are known.
 #pragma once
 
 #include "core/report/report.h"
