@@ -194,11 +194,13 @@ std::vector<Moments> momentsOfBlock(const CloudView& cloud, const Blocks& blocks
     // Key and position in one word: sorting words is what the processor does best.
     std::vector<std::uint64_t> keyed(n);
     std::vector<std::array<std::int32_t, 3>> position(n);
+    const Eigen::Array3d first = firstCell.cast<double>().array(), last = first + (std::round(kBlock_m / size) - 1);
     for (std::uint32_t j = 0; j < n; ++j)
     {
         const PointIndex i = blocks.order[begin + j];
         const Eigen::Array3d q = pointAt(cloud, i).cast<double>().array() / size;
-        const Eigen::Array3d cell = q.floor();
+        // A point on the block's own border: the division may round it into the cell before.
+        const Eigen::Array3d cell = q.floor().max(first).min(last);
         const Eigen::Array3i local = cell.cast<int>() - firstCell.array();
         keyed[j] = (static_cast<std::uint64_t>(local.x()) | static_cast<std::uint64_t>(local.y()) << 10 |
                     static_cast<std::uint64_t>(local.z()) << 20)

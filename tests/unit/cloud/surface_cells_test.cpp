@@ -216,6 +216,22 @@ TEST(SurfaceCells, TakeOnePointOrManyEqualOnes)
     EXPECT_TRUE(cells.cells[0].normal.isZero());
 }
 
+TEST(SurfaceCells, HoldPointsOnWholeMetres)
+{
+    // 49 cells a metre: 7 / (1 / 49) is 342.99999999999994 in doubles, one cell before the block of 7 m.
+    CellParams params;
+    params.size_m = 0.0204;
+    HandMadeCloud cloud;
+    for (int y = 0; y < 200; ++y)
+        for (int z = 0; z < 200; ++z)
+            cloud.point({7.0, 0.01 * y, 0.01 * z}, Label::Wall);
+    const SurfaceCells cells = buildSurfaceCells(cloud.view(), KeptRegion{}, params, Context{});
+    EXPECT_EQ(pointsIn(cells), cloud.size());
+    for (const SurfaceCell& c : cells.cells)
+        ASSERT_NEAR(c.position.x(), 7.0f, 1e-4f);  // positions are kept to 1/4096 of a cell
+    EXPECT_GT(shareWithNormal(cells, Eigen::Vector3d::UnitX(), 1e-3), 0.99);
+}
+
 TEST(SurfaceCells, AreLargerInASparseCloud)
 {
     HandMadeCloud cloud(0.05);
