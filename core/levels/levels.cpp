@@ -191,6 +191,22 @@ double topOfVerticalSurfaces(const SurfaceCells& cells, double floor, double lim
     return static_cast<double>(*at);
 }
 
+/// Area of upright surfaces between two heights [m2].
+double verticalArea(const SurfaceCells& cells, double low, double high)
+{
+    std::size_t count = 0;
+    for (const SurfaceCell& c : cells.cells)
+        count += !c.normal.isZero() && std::abs(c.normal.z()) < 0.3f && c.position.z() > low && c.position.z() < high;
+    return static_cast<double>(count) * cells.size_m * cells.size_m;
+}
+
+/// Is there another floor within a slab's thickness above? Then the surface below it is a ceiling.
+bool hasFloorAbove(const std::vector<Peak>& floors, const Peak& p)
+{
+    return std::any_of(floors.begin(), floors.end(), [&](const Peak& q)
+                       { return q.z > p.z + kMergeZ_m && q.z < p.z + kSlab_m && q.area > 0.3 * p.area; });
+}
+
 }  // namespace
 
 LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, const Context& context)
@@ -250,16 +266,26 @@ LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, con
     std::vector<Peak> peaks = peaksOf(floors, 0.12);
     if (!cells.hasLabels)
         std::erase_if(peaks, [&](const Peak& p) { return p.area < 0.3 * (p.area + openFloors.areaNear(p.z, 0.05)); });
+    const std::vector<Peak> allFloors = peaks;
     std::vector<Peak> apart;
     for (const Peak& p : peaks)
         if (std::none_of(apart.begin(), apart.end(), [&](const Peak& q) { return std::abs(p.z - q.z) < 0.5; }))
             apart.push_back(p);
     peaks = std::move(apart);
-    // Without any ceiling (not scanned) the floors themselves have to do; with labels an open floor counts as one too.
+    // Without any ceiling (not scanned) the floors themselves have to do; with labels an open floor counts as one too,
+    // and so does one that walls stand on where it is all that the floor below has above it.
     const std::vector<Peak> openPeaks = peaksOf(openFloors, 0.5);
     const double largestPaired = peaks.empty() ? 0.0 : peaks.front().area;
+    const auto isUpperFloor = [&](const Peak& p)
+    {
+        double below = 0;
+        for (const Pair& q : pairs)
+            below += std::abs(q.ceiling - p.z) < kMergeZ_m ? columnArea : 0.0;
+        return below > 0.3 * p.area && verticalArea(cells, p.z + 0.8, p.z + 1.8) > 2 * std::sqrt(p.area);
+    };
     for (const Peak& p : openPeaks)
-        if ((cells.hasLabels || largestPaired < params.minimumArea_m2) && p.area >= params.minimumArea_m2 &&
+        if ((cells.hasLabels || largestPaired < params.minimumArea_m2 || isUpperFloor(p)) &&
+            p.area >= params.minimumArea_m2 &&
             std::none_of(peaks.begin(), peaks.end(),
                          [&](const Peak& q) { return std::abs(p.z - q.z) < 0.5 && q.area > 0.3 * p.area; }))
             peaks.push_back(p);
@@ -314,8 +340,11 @@ LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, con
         // part of the plan (a mezzanine, a half-level) and not furniture.
         if (!result.levels.empty())
         {
-            const Level& below = result.levels.back();
-            const bool isItsCeiling = below.ceilingSeen && std::abs(level.floor_m - below.ceiling_m) < 0.06;
+            Level& below = result.levels.back();
+            const bool coincide = below.ceilingSeen && std::abs(level.floor_m - below.ceiling_m) < kMergeZ_m;
+            const bool isItsCeiling = coincide && (cells.hasLabels || hasFloorAbove(allFloors, p));
+            if (coincide && !isItsCeiling)  // a ceiling that was not scanned: what is above the floor is the next floor
+                below.ceilingSeen = false, below.ceilings.clear(), below.ceilingArea_m2 = 0;
             const bool standsInIt =
                 level.floor_m < below.ceiling_m - 0.1 && level.floor_m - below.floor_m < params.minimumRoomHeight_m;
             if (isItsCeiling || (standsInIt && level.floorArea_m2 < 0.4 * below.floorArea_m2))
