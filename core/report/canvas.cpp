@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <vector>
 
 namespace s2b::report
 {
@@ -80,6 +81,11 @@ void Canvas::put(int x, int y, Color color)
     if (x < 0 || y < 0 || x >= m_image.width || y >= m_image.height || color.a == 0)
         return;
     Color& under = m_image.at(x, y);
+    if (color.a == 255)
+    {
+        under = color;
+        return;
+    }
     const auto mix = [&](std::uint8_t over, std::uint8_t below)
     { return static_cast<std::uint8_t>((over * color.a + below * (255 - color.a) + 127) / 255); };
     under = {mix(color.r, under.r), mix(color.g, under.g), mix(color.b, under.b), 255};
@@ -182,18 +188,27 @@ void Canvas::raster(const Viewport& view, const Raster& raster, const Image& ima
 {
     if (raster.isEmpty())
         return;
+    // Both grids are upright: which column a pixel sees depends on its x alone, and so does the row on its y.
     const Eigen::AlignedBox2i box = fine(view.pixels);
+    const auto cellOf = [&](int pixel, int axis)
+    {
+        const Eigen::Vector2d p = view.toMetres(Eigen::Vector2d::Constant((pixel + 0.5) / kFine));
+        const double cell = std::floor((p[axis] - raster.low[axis]) / raster.cell_m);
+        return cell >= 0.0 && cell < (axis == 0 ? raster.width : raster.height) ? static_cast<int>(cell) : -1;
+    };
+    std::vector<int> columns;
+    for (int x = box.min().x(); x < box.max().x(); ++x)
+        columns.push_back(cellOf(x, 0));
     for (int y = box.min().y(); y < box.max().y(); ++y)
     {
-        for (int x = box.min().x(); x < box.max().x(); ++x)
+        const int row = cellOf(y, 1);
+        if (row < 0)
+            continue;
+        const Color* cells = &image.at(0, raster.height - 1 - row);
+        for (std::size_t i = 0; i < columns.size(); ++i)
         {
-            const Eigen::Vector2d p = view.toMetres(Eigen::Vector2d(x + 0.5, y + 0.5) / kFine);
-            const std::ptrdiff_t cell = raster.find(p.x(), p.y());
-            if (cell < 0)
-                continue;
-            const auto column = static_cast<int>(cell % raster.width);
-            const auto row = static_cast<int>(cell / raster.width);
-            put(x, y, image.at(column, raster.height - 1 - row));
+            if (columns[i] >= 0 && cells[columns[i]].a != 0)
+                put(box.min().x() + static_cast<int>(i), y, cells[columns[i]]);
         }
     }
 }

@@ -347,6 +347,13 @@ std::string makeHtml(const ReportInput& input, const Scene& scene, const Drawing
     addStoreys(page, input, scene);
     page.set("DEFINITIONS", sharedDefinitions());
     addDrawings(page, "PLANS", drawings.plans, planLegend(scene));
+    if (!drawings.unseen.empty())
+    {
+        std::string names;
+        for (const std::string& name : drawings.unseen)
+            names += (names.empty() ? "" : ", ") + name;
+        page.add("UNSEEN").set("NAMES", names);
+    }
     addElements(page, scene);
     const std::string bar = colorBar(scene);
     addDrawings(page, "DEVIATIONS", drawings.deviations, bar);

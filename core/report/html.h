@@ -16,6 +16,7 @@ struct Drawings
     std::vector<Drawing> plans;
     std::vector<Drawing> deviations;
     std::vector<Drawing> walls;
+    std::vector<std::string> unseen;  ///< storeys that have no plan because the survey saw nothing of them
 };
 
 /// report.html: one page without any external resource, for the screen and for A4 paper.

@@ -66,7 +66,7 @@ int layerOf(ElementClass elementClass)
     return 1;
 }
 
-Eigen::Vector2d middleOf(const std::vector<Polygon>& outlines)
+Eigen::AlignedBox2d boxOf(const std::vector<Polygon>& outlines)
 {
     Eigen::AlignedBox2d box;
     for (const Polygon& outline : outlines)
@@ -74,7 +74,7 @@ Eigen::Vector2d middleOf(const std::vector<Polygon>& outlines)
         for (const Eigen::Vector2d& p : outline.outer)
             box.extend(p);
     }
-    return box.isEmpty() ? Eigen::Vector2d(0, 0) : Eigen::Vector2d(box.center());
+    return box;
 }
 
 std::string titleOf(const Row& row)
@@ -119,7 +119,13 @@ void drawNumbers(Sheet& sheet, const Scene& scene, const Level& level)
         const Row& row = scene.rows[i];
         if (row.verdict != Verdict::OutOfTolerance || layerOf(row.pair.elementClass) == 0)
             continue;
-        const Eigen::Vector2d p = sheet.place(middleOf(outlinesOf(row.element(), scene.shiftOf(row))));
+        const Eigen::AlignedBox2d box = boxOf(outlinesOf(row.element(), scene.shiftOf(row)));
+        if (box.isEmpty())
+            continue;
+        Eigen::Vector2d p = sheet.place(box.center());
+        constexpr double kSmall_mm = 6.0;  // would be hidden: the number stands beside it
+        if (sheet.length(box.sizes().maxCoeff()) < kSmall_mm)
+            p.y() -= sheet.length(box.sizes().y()) / 2.0 + 2.2;
         const std::string text = std::to_string(row.number);
         const double half_mm = 0.9 + 0.75 * static_cast<double>(text.size());
         sheet.markup(std::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"3.2\" rx=\"1.6\" class=\"badge\"/>",

@@ -50,6 +50,14 @@ struct Pictures
 void drawLevel(const ReportInput& input, const Scene& scene, const Level& level, const std::vector<bool>& isChosen,
                Pictures& pictures, const Context& context)
 {
+    const bool isSeen = std::any_of(level.rows.begin(), level.rows.end(),
+                                    [&](std::size_t i) { return scene.rows[i].style != Style::NotSeen; });
+    if (!isSeen)
+    {
+        if (!level.rows.empty())
+            pictures.drawings.unseen.push_back(level.name);
+        return;
+    }
     std::vector<WallFaces> walls;
     for (const std::size_t i : level.rows)
     {

@@ -153,6 +153,8 @@ svg .badgetext { font-size: 2.4px; font-weight: 700; fill: #1d252e; }
 {{#FIGURE}}<figure>{{SVG:none}}<figcaption>{{CAPTION:h}}</figcaption></figure>
 {{/FIGURE}}
 {{/PLANS}}
+{{#UNSEEN}}<p class="note">Not drawn, because the survey saw nothing of them: {{NAMES:h}}.</p>
+{{/UNSEEN}}
 
 <h2>Elements, worst first</h2>
 <table class="elements"><thead>
