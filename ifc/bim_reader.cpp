@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/rectangle.h"
+#include "core/validation/extrude.h"
 #include "ifc/ifc_reader.h"
 
 #include <algorithm>
@@ -25,6 +26,8 @@ constexpr double kStraightFill = 0.85;         ///< share of the rectangle from 
 constexpr double kRoundFill[] = {0.74, 0.83};  ///< of a circle in its square: pi / 4 = 0.785
 constexpr std::size_t kRoundCorners = 9;
 constexpr double kSameFloor_m = 0.5;  ///< an element that begins so far below a storey is still in it
+constexpr double kPrism = 1e-3;       ///< of its volume: a body that fills its plan from low to high
+constexpr double kThrough_m = 1e-3;   ///< what an opening may leave of a wall's thickness
 constexpr double kSheet_m = 0.01;     ///< given to plans without a width
 
 const std::vector<std::string> kBodies{"IfcWall", "IfcColumn", "IfcSlab", "IfcSpace", "IfcDoor", "IfcWindow"};
@@ -250,13 +253,56 @@ private:
         element.mesh.triangles = source.triangles;
     }
 
-    /// Elements with openings are read once more, with the openings cut out.
+    /// Whether a mesh fills its plan from low to high.
+    static bool isPrism(const BimElement& e)
+    {
+        const double whole = area(e.plan) * (e.high_m - e.low_m);
+        return std::abs(std::abs(validation::volumeOf(e.mesh)) - whole) < kPrism * whole;
+    }
+
+    /// An opening as a box along its wall, when it is one that cuts through the whole thickness.
+    [[nodiscard]] std::optional<BimElement> holeOf(const MeshElement& opening, const BimElement& wall) const
+    {
+        const Points p = points(opening);
+        BimElement hole;
+        hole.low_m = p.low_m;
+        hole.high_m = p.high_m;
+        const OrientedRectangle r = rectangleAlong(p.plan, wall.axis->end - wall.axis->start);
+        hole.plan = planOf(r);
+        takeMesh(hole, opening);
+        const double aside = std::abs(r.across().dot(r.center - wall.axis->start));
+        if (!isPrism(hole) || r.half.y() - aside < 0.5 * wall.axis->thickness_m - kThrough_m)
+            return std::nullopt;
+        return hole;
+    }
+
+    /// Cuts boxes out of straight walls; any other element with openings is read once more, for OpenCASCADE to cut
+    /// them.
     void cutOpenings()
     {
-        ReadOptions options;
+        std::map<int, std::vector<const MeshElement*>> openings;
         for (const auto& [guid, opening] : m_openings)
             if (const auto host = m_index.find(opening->hostGuid); host != m_index.end())
-                options.guids.insert(opening->hostGuid);
+                openings[host->second].push_back(opening);
+        ReadOptions options;
+        for (const auto& [host, sources] : openings)
+        {
+            BimElement& element = m_bim.elements[static_cast<std::size_t>(host)];
+            std::vector<BimElement> holes;
+            if (element.elementClass == ElementClass::Wall && element.axis && isPrism(element))
+                for (const MeshElement* source : sources)
+                    if (auto hole = holeOf(*source, element))
+                        holes.push_back(std::move(*hole));
+            if (holes.size() < sources.size())
+            {
+                options.guids.insert(element.guid);
+                continue;
+            }
+            std::vector<const BimElement*> all;
+            for (const BimElement& hole : holes)
+                all.push_back(&hole);
+            element.mesh = validation::wallMesh(element, all);
+        }
         if (options.guids.empty())
             return;
         const IfcModel cut = readIfc(m_path, options);

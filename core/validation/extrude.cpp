@@ -51,45 +51,6 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(const std::vector<Ring>& r
     return triangles;
 }
 
-/// A straight wall's elevation, with its openings cut out, swept through its thickness.
-Mesh wallMesh(const BimElement& wall, const std::vector<const BimElement*>& openings)
-{
-    const Eigen::Vector2d u = (wall.axis->end - wall.axis->start).normalized();
-    const Eigen::Vector2d left(-u.y(), u.x());
-    const auto along = [&](const Eigen::Vector2d& p) { return (p - wall.axis->start).dot(u); };
-    const auto elevation = [](double s0, double s1, double z0, double z1)
-    { return Polygon{{{s0, z0}, {s1, z0}, {s1, z1}, {s0, z1}}, {}}; };
-    const Polygon whole = elevation(0.0, (wall.axis->end - wall.axis->start).norm(), wall.low_m, wall.high_m);
-    std::vector<Polygon> holes;
-    for (const BimElement* opening : openings)
-    {
-        double low = 1e300;
-        double high = -1e300;
-        for (const Eigen::Vector2d& p : opening->plan.outer)
-        {
-            low = std::min(low, along(p));
-            high = std::max(high, along(p));
-        }
-        holes.push_back(elevation(low, high, opening->low_m, opening->high_m));
-    }
-    // x along the wall, y up, so that z points to its right.
-    Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
-    frame.linear().col(0) << u, 0.0;
-    frame.linear().col(1) = Eigen::Vector3d::UnitZ();
-    frame.linear().col(2) << -left, 0.0;
-    frame.translation() << wall.axis->start + 0.5 * wall.axis->thickness_m * left, 0.0;
-    Mesh mesh;
-    for (const Polygon& part : subtract(std::span(&whole, 1), holes))
-    {
-        const Mesh piece = extrude(part, frame, wall.axis->thickness_m);
-        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-        mesh.vertices.insert(mesh.vertices.end(), piece.vertices.begin(), piece.vertices.end());
-        for (const auto& t : piece.triangles)
-            mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
-    }
-    return mesh;
-}
-
 Mesh leafMesh(const BimElement& opening, const BimElement* host)
 {
     OrientedRectangle leaf = host != nullptr && host->axis
@@ -130,6 +91,56 @@ Mesh extrude(const Polygon& section, const Eigen::Isometry3d& frame, double dept
             mesh.triangles.push_back({a, count + b, count + a});
         }
         first += n;
+    }
+    return mesh;
+}
+
+double volumeOf(const Mesh& mesh)
+{
+    if (mesh.vertices.empty())
+        return 0.0;
+    const Eigen::Vector3d& origin = mesh.vertices.front();
+    double sum = 0.0;
+    for (const auto& t : mesh.triangles)
+        sum += (mesh.vertices[t[0]] - origin).dot((mesh.vertices[t[1]] - origin).cross(mesh.vertices[t[2]] - origin));
+    return sum / 6.0;
+}
+
+Mesh wallMesh(const BimElement& wall, const std::vector<const BimElement*>& openings)
+{
+    // Its elevation is swept through its thickness.
+    const Eigen::Vector2d u = (wall.axis->end - wall.axis->start).normalized();
+    const Eigen::Vector2d left(-u.y(), u.x());
+    const auto along = [&](const Eigen::Vector2d& p) { return (p - wall.axis->start).dot(u); };
+    const auto elevation = [](double s0, double s1, double z0, double z1)
+    { return Polygon{{{s0, z0}, {s1, z0}, {s1, z1}, {s0, z1}}, {}}; };
+    const Polygon whole = elevation(0.0, (wall.axis->end - wall.axis->start).norm(), wall.low_m, wall.high_m);
+    std::vector<Polygon> holes;
+    for (const BimElement* opening : openings)
+    {
+        double low = 1e300;
+        double high = -1e300;
+        for (const Eigen::Vector2d& p : opening->plan.outer)
+        {
+            low = std::min(low, along(p));
+            high = std::max(high, along(p));
+        }
+        holes.push_back(elevation(low, high, opening->low_m, opening->high_m));
+    }
+    // x along the wall, y up, so that z points to its right.
+    Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
+    frame.linear().col(0) << u, 0.0;
+    frame.linear().col(1) = Eigen::Vector3d::UnitZ();
+    frame.linear().col(2) << -left, 0.0;
+    frame.translation() << wall.axis->start + 0.5 * wall.axis->thickness_m * left, 0.0;
+    Mesh mesh;
+    for (const Polygon& part : subtract(std::span(&whole, 1), holes))
+    {
+        const Mesh piece = extrude(part, frame, wall.axis->thickness_m);
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.insert(mesh.vertices.end(), piece.vertices.begin(), piece.vertices.end());
+        for (const auto& t : piece.triangles)
+            mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
     }
     return mesh;
 }

@@ -16,6 +16,13 @@ namespace s2b::validation
 /// Swept up from low_m to high_m.
 [[nodiscard]] Mesh extrudeUp(const Polygon& plan, double low_m, double high_m);
 
+/// Volume that a closed mesh encloses; < 0 for one that is inside out.
+[[nodiscard]] double volumeOf(const Mesh& mesh);
+
+/// A straight wall's plan swept up, without what its openings cut out through its whole thickness.
+/// @param openings  their plans and heights count.
+[[nodiscard]] Mesh wallMesh(const BimElement& wall, const std::vector<const BimElement*>& openings);
+
 /// Gives elements of files that hold sizes instead of meshes their meshes: straight walls with the openings of their
 /// doors and windows (BimElement::host), everything else as its plan swept up. Doors and windows are drawn as a leaf of
 /// 5 cm in the middle of their opening.

@@ -2,6 +2,7 @@
 #include "core/validation/surface_search.h"
 
 #include "core/base/error.h"
+#include "core/validation/extrude.h"
 
 #include <embree4/rtcore.h>
 #include <Eigen/Geometry>
@@ -93,18 +94,6 @@ bool visit(RTCPointQueryFunctionArguments* arguments)
         return false;
     arguments->query->radius = tighter;
     return true;
-}
-
-/// Six times the volume that the mesh encloses.
-double volumeOf(const Mesh& mesh)
-{
-    if (mesh.vertices.empty())
-        return 0.0;
-    const Eigen::Vector3d& origin = mesh.vertices.front();
-    double sum = 0.0;
-    for (const auto& t : mesh.triangles)
-        sum += (mesh.vertices[t[0]] - origin).dot((mesh.vertices[t[1]] - origin).cross(mesh.vertices[t[2]] - origin));
-    return sum;
 }
 
 }  // namespace

@@ -77,14 +77,6 @@ const BimElement& one(const Bim& bim, ElementClass elementClass, std::size_t num
     throw std::runtime_error("there is none");
 }
 
-double volumeOf(const Mesh& mesh)
-{
-    double volume = 0.0;
-    for (const auto& t : mesh.triangles)
-        volume += mesh.vertices[t[0]].dot(mesh.vertices[t[1]].cross(mesh.vertices[t[2]])) / 6.0;
-    return volume;
-}
-
 TEST(BimReader, TakesPlansHeightsAndMeshes)
 {
     const Folder folder;
@@ -122,6 +114,32 @@ TEST(BimReader, ACurvedWallKeepsItsOutline)
     const double length = building().walls[1].axisLength_m();
     EXPECT_NEAR(area(curved.plan), length * 0.2, 0.002 * length);
     EXPECT_GT(curved.plan.outer.size(), 8U);
+}
+
+TEST(BimReader, OpeningsAreCutOutOfWallsOfAnyForm)
+{
+    Building b = building();
+    Opening window = b.openings[0];
+    window.id = {21};
+    window.host = {11};  // the arc
+    window.kind = OpeningKind::Window;
+    window.sill.value_m = 0.8;
+    window.height.value_m = 1.0;
+    b.openings.push_back(window);
+    b.walls.push_back(modelWall(12, {0, -4}, {6, -4}));  // a gable
+    b.walls[2].topProfile = {{0, 3}, {3, 5}, {6, 3}};
+    Opening high = window;
+    high.id = {22};
+    high.host = {12};
+    b.openings.push_back(high);
+    const Folder folder;
+    ifc::writeIfc(b, folder.file("a.ifc"), {});
+    const Bim bim = ifc::readBim(folder.file("a.ifc"));
+    const double length = b.walls[1].axisLength_m();
+    EXPECT_NEAR(std::abs(volumeOf(one(bim, ElementClass::Wall, 1).mesh)), 0.2 * (3.0 * length - 1.0),
+                0.002 * length * 3.0 * 0.2)
+        << "chords, and an opening that is straight";
+    EXPECT_NEAR(std::abs(volumeOf(one(bim, ElementClass::Wall, 2).mesh)), 0.2 * (6.0 * 3.0 + 6.0 - 1.0), kExact);
 }
 
 TEST(BimReader, ARoundColumnIsRound)
