@@ -18,6 +18,7 @@ namespace
 {
 
 constexpr float kSame_m = 2e-5F;
+constexpr double kSliver_m = 1e-5;
 
 /// The nearest point of a triangle (Ericson, Real-Time Collision Detection, 5.1.5).
 /// @param along  signed distance of p to the plane.
@@ -78,7 +79,7 @@ bool visit(RTCPointQueryFunctionArguments* arguments)
         return false;
     const Eigen::Vector3f foot = footOn(t, q.point, along);
     const float squared = (q.point - foot).squaredNorm();
-    if (squared > radius * radius)
+    if (!(squared <= radius * radius))
         return false;
     const float distance = std::sqrt(squared);
     const auto step = static_cast<int>(distance / kSame_m + 0.5F);
@@ -113,7 +114,8 @@ std::vector<SurfaceTriangle> surfaceOf(const Bim& bim)
             const Eigen::Vector3d& b = element.mesh.vertices[corner[isInsideOut ? 2 : 1]];
             const Eigen::Vector3d& c = element.mesh.vertices[corner[isInsideOut ? 1 : 2]];
             const Eigen::Vector3d normal = (b - a).cross(c - a);
-            if (!(normal.norm() > 1e-12))
+            const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+            if (!(normal.norm() > kSliver_m * longest))  // too narrow to have a side in floats
                 continue;
             triangles.push_back({a.cast<float>(), b.cast<float>(), c.cast<float>(), normal.normalized().cast<float>(),
                                  static_cast<int>(e)});

@@ -22,8 +22,8 @@ struct SurfaceTriangle
     int element = -1;
 };
 
-/// All triangles of the elements that have a surface: spaces have none, nor triangles without an area. Closed meshes
-/// that are inside out are turned.
+/// All triangles of the elements that have a surface: spaces have none, nor triangles narrower than 0.01 mm. Closed
+/// meshes that are inside out are turned.
 [[nodiscard]] std::vector<SurfaceTriangle> surfaceOf(const Bim& bim);
 
 struct Nearest

@@ -79,6 +79,25 @@ TEST(Deviation, AnInsideOutMeshIsTurned)
     EXPECT_NEAR(measureDeviation(bim, points.view(), {}, true, {}).distance_m[0], 0.05, kRounding);
 }
 
+TEST(Deviation, TrianglesWithoutAnAreaAreNoSurface)
+{
+    Bim bim = oneWall();
+    Mesh& mesh = bim.elements[0].mesh;
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    // A needle of 1e-9 m (two corners are the same float), two equal corners, three in a line: all nearer than the
+    // wall.
+    mesh.vertices.emplace_back(1.0, -0.15, 1.0);
+    mesh.vertices.emplace_back(1.0 + 1e-9, -0.15, 1.0);
+    mesh.vertices.emplace_back(1.5, -0.15, 1.4);
+    mesh.vertices.emplace_back(2.0, -0.15, 1.8);
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    mesh.triangles.push_back({first, first, first + 2});
+    mesh.triangles.push_back({first, first + 2, first + 3});
+    Points points;
+    points.add({1.0, -0.16, 1});
+    EXPECT_NEAR(measureDeviation(bim, points.view(), {}, true, {}).distance_m[0], 0.06, kRounding);
+}
+
 TEST(Deviation, PointsBeyondTheRangeAreNotOfTheBuilding)
 {
     Points points;
