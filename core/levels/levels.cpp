@@ -12,9 +12,10 @@ namespace s2b
 namespace
 {
 
-constexpr double kColumn_m = 0.10;  // edge of the plan columns in which floors meet their ceilings, at least
-constexpr double kSlab_m = 0.8;     // thickest slab with its finishes
-constexpr double kMergeZ_m = 0.06;  // surfaces closer than this in one column are one
+constexpr double kColumn_m = 0.10;    // edge of the plan columns in which floors meet their ceilings, at least
+constexpr double kSlab_m = 0.8;       // thickest slab with its finishes
+constexpr double kSameFloor_m = 0.5;  // floors closer than this are steps of one
+constexpr double kMergeZ_m = 0.06;    // surfaces closer than this in one column are one
 
 /// A horizontal (or, looking up, sloped) surface in one plan column.
 struct Surface
@@ -269,12 +270,12 @@ LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, con
     const std::vector<Peak> allFloors = peaks;
     std::vector<Peak> apart;
     for (const Peak& p : peaks)
-        if (std::none_of(apart.begin(), apart.end(), [&](const Peak& q) { return std::abs(p.z - q.z) < 0.5; }))
+        if (std::none_of(apart.begin(), apart.end(), [&](const Peak& q) { return std::abs(p.z - q.z) < kSameFloor_m; }))
             apart.push_back(p);
     peaks = std::move(apart);
     // Without any ceiling (not scanned) the floors themselves have to do; with labels an open floor counts as one too,
     // and so does one that walls stand on where it is all that the floor below has above it.
-    const std::vector<Peak> openPeaks = peaksOf(openFloors, 0.5);
+    const std::vector<Peak> openPeaks = peaksOf(openFloors, kSameFloor_m);
     const double largestPaired = peaks.empty() ? 0.0 : peaks.front().area;
     const auto isUpperFloor = [&](const Peak& p)
     {
@@ -284,11 +285,17 @@ LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, con
         return below > 0.3 * p.area && verticalArea(cells, p.z + 0.8, p.z + 1.8) > 2 * std::sqrt(p.area);
     };
     for (const Peak& p : openPeaks)
-        if ((cells.hasLabels || largestPaired < params.minimumArea_m2 || isUpperFloor(p)) &&
-            p.area >= params.minimumArea_m2 &&
-            std::none_of(peaks.begin(), peaks.end(),
-                         [&](const Peak& q) { return std::abs(p.z - q.z) < 0.5 && q.area > 0.3 * p.area; }))
+    {
+        if ((!cells.hasLabels && largestPaired >= params.minimumArea_m2 && !isUpperFloor(p)) ||
+            p.area < params.minimumArea_m2)
+            continue;
+        const auto same =
+            std::find_if(peaks.begin(), peaks.end(), [&](const Peak& q) { return std::abs(p.z - q.z) < kSameFloor_m; });
+        if (same == peaks.end())
             peaks.push_back(p);
+        else if (same->area <= 0.3 * p.area)  // the larger part of one floor
+            *same = p;
+    }
     if (peaks.empty())
     {
         result.diagnostics.push_back({Severity::Error,
