@@ -53,7 +53,7 @@ namespace s2b
 
 	//! Found out before minutes of work: a model that lies somewhere else than the points
 	/** \throws Error{BadFile} that names the file and the distance **/
-	void checkPlace(const validation::Bim& bim, const CloudView& cloud, const QString& cloudName);
+	void checkPlace(const validation::Bim& bim, const CloudView& cloud);
 
 	//! Compares. Distances are per point where there is a cloud.
 	/** \param truth may be null when there is a cloud

@@ -191,9 +191,9 @@ namespace s2b
 			}
 			if (cloud)
 			{
-				checkPlace(result, *cloud, cloudNames(cmd));
+				checkPlace(result, *cloud);
 				if (truth)
-					checkPlace(*truth, *cloud, cloudNames(cmd));
+					checkPlace(*truth, *cloud);
 			}
 			const ValidationOutcome outcome = compareModels(std::move(truth), std::move(result), cloud, options.validation, partOf(context, 0.2, kCompared));
 			const QString           folder  = options.reportFolder.isEmpty() ? defaultReportFolder(base) : options.reportFolder;
@@ -224,7 +224,7 @@ namespace s2b
 			if (!options.truthPath.isEmpty())
 			{
 				truth = readGroundTruth(options.truthPath, middleOf(input.view), options.storeys, context);
-				checkPlace(*truth, input.view, cloudNames(cmd));
+				checkPlace(*truth, input.view);
 			}
 
 			const Building          building = reconstruct(input.view, options.pipeline, options.validates() ? partOf(context, 0.0, kReconstructed) : context);

@@ -4,6 +4,7 @@
 #include "S2BRun.h"
 #include "core/base/error.h"
 #include "core/report/scene.h"
+#include "core/validation/overlap.h"
 #include "ifc/bim_reader.h"
 
 #include <Eigen/Geometry>
@@ -55,25 +56,6 @@ namespace s2b
 			return {Eigen::Vector3d(low.cast<double>() + cloud.origin), Eigen::Vector3d(high.cast<double>() + cloud.origin)};
 		}
 
-		Eigen::AlignedBox3d boxOf(const Bim& bim)
-		{
-			Eigen::AlignedBox3d box;
-			for (const validation::BimElement& element : bim.elements)
-			{
-				for (const Eigen::Vector2d& p : element.plan.outer)
-				{
-					box.extend(Eigen::Vector3d(p.x(), p.y(), element.low_m));
-					box.extend(Eigen::Vector3d(p.x(), p.y(), element.high_m));
-				}
-			}
-			return box.isEmpty() ? box : box.translate(bim.origin);
-		}
-
-		QString distanceText(double distance_m)
-		{
-			return distance_m < 10000 ? QString("%1 m").arg(distance_m, 0, 'f', 1) : QString("%1 km").arg(distance_m / 1000, 0, 'f', 1);
-		}
-
 		QString millimetres(double length_m)
 		{
 			return QString("%1 mm").arg(1000.0 * length_m, 0, 'f', 1);
@@ -120,13 +102,9 @@ namespace s2b
 		return boxOf(cloud).center();
 	}
 
-	void checkPlace(const Bim& bim, const CloudView& cloud, const QString& cloudName)
+	void checkPlace(const Bim& bim, const CloudView& cloud)
 	{
-		const Eigen::AlignedBox3d model  = boxOf(bim);
-		const Eigen::AlignedBox3d points = boxOf(cloud);
-		if (model.isEmpty() || points.isEmpty() || model.intersects(points))
-			return;
-		throw Error(ErrorCode::BadFile, QString("'%1' and the cloud '%2' lie %3 apart: both have to be in the same coordinates and in metres").arg(QString::fromStdString(bim.file), cloudName, distanceText(model.exteriorDistance(points))).toStdString());
+		validation::checkOverlap(bim, bim, &cloud);
 	}
 
 	ValidationOutcome compareModels(std::optional<Bim> truth, Bim result, const CloudView* cloud, const validation::ValidationParams& params, const Context& context)

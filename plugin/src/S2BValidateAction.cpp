@@ -91,7 +91,7 @@ namespace s2b
 			if (!choice.truthPath.isEmpty())
 				truth = readGroundTruth(choice.truthPath, near, choice.storeys, context);
 			if (truth && cloud)
-				checkPlace(*truth, *cloud, cloudName);
+				checkPlace(*truth, *cloud);
 			if (truth && !near)
 				near = validation::centerOf(*truth);
 

@@ -243,6 +243,15 @@ def test_truth_of_another_place(cloudcompare, scan, tmp_path):
     assert_refused(run, tmp_path, "far.ifc", "km")
 
 
+@pytest.mark.parametrize("prefix", [b".MILLI.", b".KILO."])
+def test_truth_in_a_unit_that_is_wrong_by_1000(cloudcompare, scan, truth, tmp_path, prefix):
+    content = truth.read_bytes()
+    metre = b".LENGTHUNIT.,$,.METRE."
+    assert content.count(metre) == 1
+    (tmp_path / "unit.ifc").write_bytes(content.replace(metre, b".LENGTHUNIT.," + prefix + b",.METRE."))
+    assert_refused(cloudcompare("-O", scan, "-S2B", "-VALIDATE", "unit.ifc"), tmp_path, "unit.ifc", "unit")
+
+
 def test_folder_that_is_a_file(cloudcompare, scan, truth, tmp_path):
     (tmp_path / "taken").write_text("precious")
     assert cloudcompare("-O", scan, "-S2B", "-VALIDATE", truth, "-REPORT", "taken").rc == 1
