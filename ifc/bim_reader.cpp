@@ -70,9 +70,11 @@ public:
         whole.subtractOpenings = false;
         whole.types = kBodies;
         whole.types.emplace_back("IfcOpeningElement");
+        whole.types.emplace_back("IfcBuildingElementPart");
         m_model = readIfc(m_path, whole);
         m_bim.file = m_path;
         m_bim.schema = m_model.schema;
+        joinParts();
         place();
         storeys();
         for (const MeshElement& e : m_model.elements)
@@ -97,6 +99,38 @@ private:
     }
 
     static bool isFilling(ElementClass c) { return c == ElementClass::Door || c == ElementClass::Window; }
+
+    /// Elements that have no body of their own get that of their parts: layers of a wall, for example.
+    void joinParts()
+    {
+        std::map<std::string, std::size_t> index;
+        for (std::size_t i = 0; i < m_model.elements.size(); ++i)
+            index[m_model.elements[i].guid] = i;
+        const std::size_t count = m_model.elements.size();
+        for (std::size_t i = 0; i < count; ++i)
+        {
+            const MeshElement part = m_model.elements[i];
+            if (part.type != "IfcBuildingElementPart" || !classOf(part.whole.type))
+                continue;
+            const auto [at, isNew] = index.try_emplace(part.whole.guid, m_model.elements.size());
+            if (isNew)
+            {
+                MeshElement joined;
+                joined.guid = part.whole.guid;
+                joined.type = part.whole.type;
+                joined.name = part.whole.name;
+                joined.storeyGuid = part.storeyGuid;
+                m_model.elements.push_back(std::move(joined));
+            }
+            else if (at->second < count)
+                continue;  // it has its own
+            MeshElement& joined = m_model.elements[at->second];
+            const auto first = static_cast<std::uint32_t>(joined.vertices.size());
+            joined.vertices.insert(joined.vertices.end(), part.vertices.begin(), part.vertices.end());
+            for (const auto& t : part.triangles)
+                joined.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+        }
+    }
 
     /// Decides for the model's or the map's coordinates, and for an origin near the elements.
     void place()

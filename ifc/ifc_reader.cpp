@@ -165,6 +165,8 @@ std::map<int, MeshElement> readMeshes(IfcParse::IfcFile& file, const ReadOptions
         element.storeyGuid = guidOf(relations.storeyOf(product));
         element.hostGuid = guidOf(relations.hostOf(product));
         element.openingGuid = guidOf(relations.openingOf(product));
+        if (const IfcUtil::IfcBaseClass* whole = relations.wholeOf(product))
+            element.whole = {guidOf(whole), whole->declaration().name(), attributeText(whole, "Name")};
         takeMesh(*source, toMap, element);
         elements[source->id()] = std::move(element);
     } while (iterator.next());

@@ -13,6 +13,14 @@
 namespace s2b::ifc
 {
 
+/// A product by name.
+struct ProductName
+{
+    std::string guid;
+    std::string type;
+    std::string name;
+};
+
 /// One product of an IFC file, tessellated in world coordinates [m].
 struct MeshElement
 {
@@ -23,6 +31,7 @@ struct MeshElement
     std::string storeyGuid;      ///< of the containing storey, empty when there is none
     std::string hostGuid;        ///< of the wall that a door, window or opening sits in, empty when there is none
     std::string openingGuid;     ///< of the opening that a door or window fills, empty when there is none
+    ProductName whole;           ///< the element that it is a part of; empty when there is none
     bool isTransparent = false;  ///< a part of it is, by its surface style (a window's glass)
     std::vector<Eigen::Vector3d> vertices;
     std::vector<std::array<std::uint32_t, 3>> triangles;

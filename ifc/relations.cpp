@@ -155,6 +155,12 @@ Instance Relations::hostOf(Instance element) const
     return whole;
 }
 
+Instance Relations::wholeOf(Instance element) const
+{
+    const Instance whole = find(m_wholes, element);
+    return whole != nullptr && whole->declaration().is("IfcElement") ? whole : nullptr;
+}
+
 Instance Relations::openingOf(Instance element) const
 {
     return find(m_openings, element);

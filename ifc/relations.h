@@ -40,6 +40,8 @@ public:
     /// The element that an opening voids, whose opening a door or window fills, or the wall or curtain wall that these
     /// are a part of; else null.
     [[nodiscard]] const IfcUtil::IfcBaseClass* hostOf(const IfcUtil::IfcBaseClass* element) const;
+    /// The element that an element is a part of; null when there is none.
+    [[nodiscard]] const IfcUtil::IfcBaseClass* wholeOf(const IfcUtil::IfcBaseClass* element) const;
     /// The opening that a door or window fills; null when there is none.
     [[nodiscard]] const IfcUtil::IfcBaseClass* openingOf(const IfcUtil::IfcBaseClass* element) const;
 

@@ -232,6 +232,26 @@ TEST(BimReader, ReadsIfc2x3InMillimetresAndCountsWindowsOfCurtainWalls)
     EXPECT_NEAR(area(window.plan), 4.0 * 0.3, kExact) << "without an opening its own body counts";
 }
 
+TEST(BimReader, AWallOfPartsHasTheBodyOfItsParts)
+{
+    // The same file, but the body belongs to a part of the wall.
+    std::string text = kCurtainWall;
+    const auto replace = [&](const std::string& from, const std::string& to)
+    { text.replace(text.find(from), from.size(), to); };
+    replace("#30=IFCWALLSTANDARDCASE('0000000000000000000003',#10,'W',$,$,#18,#29,$);",
+            "#30=IFCWALL('0000000000000000000003',#10,'W',$,$,#18,$,$);\n"
+            "#40=IFCBUILDINGELEMENTPART('0000000000000000000040',#10,'Layer',$,$,#18,#29,$);\n"
+            "#41=IFCRELAGGREGATES('0000000000000000000041',#10,$,$,#30,(#40));");
+    const Folder folder;
+    const Bim bim = ifc::readBim(folder.write("a.ifc", text));
+    const BimElement& wall = one(bim, ElementClass::Wall);
+    EXPECT_EQ(wall.guid, "0000000000000000000003");
+    EXPECT_EQ(wall.name, "W");
+    EXPECT_EQ(wall.storey, 0);
+    EXPECT_NEAR(area(wall.plan), 4.0 * 0.3, kExact);
+    EXPECT_NEAR(std::abs(volumeOf(wall.mesh)), 4.0 * 0.3 * 2.5, kExact);
+}
+
 TEST(BimReader, WithoutMeshesThereAreNone)
 {
     const Folder folder;
