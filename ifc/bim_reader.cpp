@@ -26,9 +26,10 @@ constexpr double kStraightFill = 0.85;         ///< share of the rectangle from 
 constexpr double kRoundFill[] = {0.74, 0.83};  ///< of a circle in its square: pi / 4 = 0.785
 constexpr std::size_t kRoundCorners = 9;
 constexpr double kSameFloor_m = 0.5;  ///< an element that begins so far below a storey is still in it
-constexpr double kPrism = 1e-3;       ///< of its volume: a body that fills its plan from low to high
-constexpr double kThrough_m = 1e-3;   ///< what an opening may leave of a wall's thickness
-constexpr double kSheet_m = 0.01;     ///< given to plans without a width
+constexpr double kWhole = 0.9;
+constexpr double kPrism = 1e-3;      ///< of its volume: a body that fills its plan from low to high
+constexpr double kThrough_m = 1e-3;  ///< what an opening may leave of a wall's thickness
+constexpr double kSheet_m = 0.01;    ///< given to plans without a width
 
 const std::vector<std::string> kBodies{"IfcWall", "IfcColumn", "IfcSlab", "IfcSpace", "IfcDoor", "IfcWindow"};
 
@@ -234,18 +235,22 @@ private:
         m_bim.elements.push_back(std::move(element));
     }
 
+    static double volumeOf(const MeshElement& e) { return validation::volumeOf({e.vertices, e.triangles}); }
+
     static void takeWall(BimElement& element, const MeshElement& e, const Points& p, const OrientedRectangle& rectangle)
     {
         const std::vector<Polygon> covered = outline(e, p);
         if (covered.empty())  // a sheet
             return;
         const double rectangle_m2 = rectangle.area();
-        if (covered.size() == 1 && area(covered.front()) < kStraightFill * rectangle_m2)
+        // A closed body is no larger than its outline swept up: an open one may lack its lower and upper face.
+        const bool isWhole = areaOf(covered) * (p.high_m - p.low_m) > kWhole * std::abs(volumeOf(e));
+        if (isWhole && covered.size() == 1 && area(covered.front()) < kStraightFill * rectangle_m2)
         {
             element.plan = covered.front();
             return;
         }
-        if (areaOf(covered) < 0.999 * rectangle_m2)
+        if (isWhole && areaOf(covered) < 0.999 * rectangle_m2)
             element.footprint = covered;
         const Eigen::Vector2d half = rectangle.axis * rectangle.half.x();
         element.axis = validation::WallAxis{rectangle.center - half, rectangle.center + half, 2.0 * rectangle.half.y()};
