@@ -3,6 +3,7 @@
 #include "core/geometry/circle.h"
 #include "core/geometry/dbscan.h"
 #include "core/geometry/rectangle.h"
+#include "core/model/wall_axis.h"
 
 #include <algorithm>
 #include <bit>
@@ -34,6 +35,12 @@ bool isInWall(const Eigen::Vector2d& p, const std::vector<Wall>& walls)
     return std::any_of(walls.begin(), walls.end(),
                        [&](const Wall& w)
                        {
+                           if (w.bulge != 0.0)
+                           {
+                               const Eigen::Vector2d q = WallAxis(w).project(p);
+                               return q.x() > w.bodyStart_m - margin && q.x() < w.bodyEnd_m + margin &&
+                                      std::abs(q.y()) < w.thickness.value_m / 2 + margin;
+                           }
                            const Eigen::Vector2d d = p - w.start;
                            const double s = w.direction().dot(d);
                            return s > w.bodyStart_m - margin && s < w.bodyEnd_m + margin &&

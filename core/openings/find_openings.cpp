@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/wall_axis.h"
 #include "core/openings/leaf.h"
 #include "core/openings/openings.h"
 #include "core/openings/wall_view.h"
@@ -48,7 +49,7 @@ OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, co
         const Wall* wall;
         [[nodiscard]] Eigen::Vector2d centre() const
         {
-            return wall->start + wall->direction() * (opening.offset_m + opening.width.value_m / 2);
+            return WallAxis(*wall).at(opening.offset_m + opening.width.value_m / 2);
         }
         [[nodiscard]] double bottom() const { return wall->base_m + opening.sill.value_m; }
         [[nodiscard]] double top() const { return bottom() + opening.height.value_m; }
@@ -57,8 +58,6 @@ OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, co
     for (const Wall& wall : walls)
     {
         context.checkCancelled();
-        if (wall.bulge != 0)
-            continue;
         const WallView view = viewWall(wall, cells, index, leafReach);
         std::vector<Hole> taken;
         const auto add = [&](const Hole& h, OpeningKind kind)
@@ -87,12 +86,18 @@ OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, co
                     static_cast<double>(h.points) > 20)
                     add(h, OpeningKind::Window);
         }
-        const Eigen::Vector2d t = wall.direction();
+        const WallAxis axis(wall);
         const auto floorSeen = [&](double from, double to)
         {
             const double inset = std::min(0.02, view.half_m / 3);
-            return mask.share(wall.start + t * from, wall.start + t * to, -view.half_m + inset, view.half_m - inset,
-                              PlanMask::Floor);
+            // Along an arc by chords.
+            const int pieces = axis.isArc() ? std::max(1, static_cast<int>((to - from) / 0.1)) : 1;
+            double sum = 0;
+            for (int i = 0; i < pieces; ++i)
+                sum +=
+                    mask.share(axis.at(from + (to - from) * i / pieces), axis.at(from + (to - from) * (i + 1) / pieces),
+                               -view.half_m + inset, view.half_m - inset, PlanMask::Floor);
+            return sum / pieces;
         };
         for (const Hole& h : voidsFromFloor(view, taken, floorSeen, params.minimumDoorWidth_m,
                                             params.maximumDoorWidth_m, params.minimumDoorHeight_m))

@@ -39,7 +39,7 @@ struct Hole
     }
 };
 
-/// What was seen of a straight wall and close to it.
+/// What was seen of a wall and close to it; a curved one is unrolled.
 struct WallView
 {
     const Wall* wall = nullptr;

@@ -61,6 +61,9 @@ const std::vector<ParameterInfo>& parameterTable()
         row<&P::walls, &WallParams::mergeUnseen_m>("walls.mergeUnseen", "m", 0, 20, "Largest hidden gap that collinear pieces are joined across, each longer than it.", "practice: a cupboard or a stair in front of a wall"),
         row<&P::walls, &WallParams::mergeOffset_m>("walls.mergeOffset", "m", 0, 0.5, "Largest sideways offset between collinear pieces of one wall.", "D3.6, 3.4.4 and 6.2 (merging); value: practice"),
         row<&P::walls, &WallParams::closeGap_m>("walls.closeGap", "m", 0, 5, "Largest gap that is closed at a corner.", "D3.6, 3.4.4 and 6.2 (closing); value: practice"),
+        row<&P::walls, &WallParams::curved>("walls.curved", "", 0, 1, "Whether curved walls are looked for; if not, all walls are straight.", "practice"),
+        row<&P::walls, &WallParams::minimumArcRadius_m>("walls.minimumArcRadius", "m", 0.3, 100, "Smallest radius of a curved wall's face.", "practice: above the thickest round column"),
+        row<&P::walls, &WallParams::maximumArcRadius_m>("walls.maximumArcRadius", "m", 1, 100, "Largest radius of a curved wall's face.", "practice: a wall 5 m long still bends by 0.1 m"),
 
         row<&P::openings, &OpeningParams::clusterRadius_m>("openings.clusterRadius", "m", 0.01, 1, "DBSCAN radius of door instances.", "D3.6, 3.5; value: practice"),
         row<&P::openings, &OpeningParams::minimumDoorWidth_m>("openings.minimumDoorWidth", "m", 0.2, 5, "Narrower openings are no doors.", "practice: below the narrowest common leaf"),

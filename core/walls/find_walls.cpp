@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/walls/arc_topology.h"
+#include "core/walls/arcs.h"
 #include "core/walls/evidence.h"
 #include "core/walls/faces.h"
 #include "core/walls/heights.h"
@@ -11,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <format>
+#include <optional>
 
 namespace s2b
 {
@@ -30,6 +33,34 @@ int externalOf(const WallBody& body, const PlanMask& mask)
     return body.bothSeen() && below != above ? 1 : -1;
 }
 
+/// The wall that a body makes; nothing when it is too small for one.
+std::optional<Wall> wallOf(const PlanWall& p, const std::vector<Face>& faces, double cell_m, const PlanMask& mask,
+                           const Level& level, ElementId storey, const WallParams& params)
+{
+    const bool reachesCeiling = p.body.top >= level.ceiling_m;
+    const double height = p.body.top - p.body.bottom;
+    if (height < params.minimumHeight_m || p.axisEnd - p.axisBegin < 0.5 * params.minimumLength_m ||
+        p.body.end - p.body.begin < 0.5 * params.minimumLength_m)
+        return std::nullopt;
+    Wall w;
+    w.storey = storey;
+    const double middle = p.body.middle();
+    w.start = p.body.t * p.axisBegin + p.body.n() * middle;
+    w.end = p.body.t * p.axisEnd + p.body.n() * middle;
+    w.bodyStart_m = p.body.begin - p.axisBegin;
+    w.bodyEnd_m = p.body.end - p.axisBegin;
+    w.base_m = p.body.bottom;
+    w.height = {height, level.ceilingSeen || !reachesCeiling ? Provenance::Measured : Provenance::Assumed,
+                level.floorRms_m};
+    w.evidence = evidenceOf(p.body, faces, cell_m);
+    w.thickness = {p.body.thickness(), p.body.bothSeen() ? Provenance::Measured : Provenance::Assumed,
+                   w.evidence.rms_m};
+    const int external = externalOf(p.body, mask);
+    w.isExternalKnown = external >= 0;
+    w.isExternal = external == 1;
+    return w;
+}
+
 }  // namespace
 
 WallResult findWalls(const SurfaceCells& cells, const CellIndex& index, const Level& level, ElementId storey,
@@ -37,51 +68,40 @@ WallResult findWalls(const SurfaceCells& cells, const CellIndex& index, const Le
 {
     WallResult result;
     const PlanMask mask(cells, level);
-    std::vector<Face> faces = findFaces(cells, level, mask, params, context);
+    ArcScenes arcs = findArcs(cells, level, params, context);
+    std::optional<SurfaceCells> rest;
+    if (!arcs.empty())
+        rest = withoutArcs(cells, arcs);
+    std::vector<Face> faces = findFaces(rest ? *rest : cells, level, mask, params, context);
     alignFaces(faces);
     std::vector<WallBody> bodies = pairFaces(faces, mask, params);
     settleThickness(bodies, cells, index, level, mask, params);
     bodies = mergeBodies(std::move(bodies), mask, params);
+    settleArcs(arcs, bodies, level, params);
+    dropWithinArcs(bodies, arcs);
     bodies = settleHeights(std::move(bodies), faces, level, mask);
-    std::erase_if(bodies, [&](const WallBody& b) { return seenShare(b, faces, cells.size_m) < params.minimumCoverage; });
+    std::erase_if(bodies,
+                  [&](const WallBody& b) { return seenShare(b, faces, cells.size_m) < params.minimumCoverage; });
     context.checkCancelled();
     Plan plan = connectWalls(std::move(bodies), mask, params);
     dropFreePieces(plan, params.minimumFreeLength_m);
 
-    std::vector<ElementId> idOf(plan.walls.size());
-    for (std::size_t i = 0; i < plan.walls.size(); ++i)
+    const auto add = [&](Wall w)
     {
-        const PlanWall& p = plan.walls[i];
-        const bool reachesCeiling = p.body.top >= level.ceiling_m;
-        const double height = p.body.top - p.body.bottom;
-        if (height < params.minimumHeight_m || p.axisEnd - p.axisBegin < 0.5 * params.minimumLength_m ||
-            p.body.end - p.body.begin < 0.5 * params.minimumLength_m)
-            continue;
-        Wall w;
-        w.id = idOf[i] = ElementId{nextId++};
-        w.storey = storey;
-        const double middle = p.body.middle();
-        w.start = p.body.t * p.axisBegin + p.body.n() * middle;
-        w.end = p.body.t * p.axisEnd + p.body.n() * middle;
-        w.bodyStart_m = p.body.begin - p.axisBegin;
-        w.bodyEnd_m = p.body.end - p.axisBegin;
-        w.base_m = p.body.bottom;
-        w.height = {height, level.ceilingSeen || !reachesCeiling ? Provenance::Measured : Provenance::Assumed,
-                    level.floorRms_m};
-        w.evidence = evidenceOf(p.body, faces, cells.size_m);
-        w.thickness = {p.body.thickness(), p.body.bothSeen() ? Provenance::Measured : Provenance::Assumed,
-                       w.evidence.rms_m};
-        const int external = externalOf(p.body, mask);
-        w.isExternalKnown = external >= 0;
-        w.isExternal = external == 1;
-        if (!p.body.bothSeen())
+        w.id = ElementId{nextId++};
+        if (w.evidence.facesSeen < 2)
             result.diagnostics.push_back(
                 {Severity::Warning, "walls", "ThicknessAssumed",
                  std::format("Only one face of the wall was seen; its thickness of {:.3f} m is assumed.",
-                             p.body.thickness()),
+                             w.thickness.value_m),
                  w.id, Eigen::Vector3d((w.start.x() + w.end.x()) / 2, (w.start.y() + w.end.y()) / 2, level.floor_m)});
-        result.walls.push_back(w);
-    }
+        result.walls.push_back(std::move(w));
+        return result.walls.back().id;
+    };
+    std::vector<ElementId> idOf(plan.walls.size());
+    for (std::size_t i = 0; i < plan.walls.size(); ++i)
+        if (std::optional<Wall> w = wallOf(plan.walls[i], faces, cells.size_m, mask, level, storey, params))
+            idOf[i] = add(std::move(*w));
     for (const BodyJunction& j : plan.junctions)
     {
         if (idOf[j.wall].value == 0 || idOf[j.other].value == 0)
@@ -95,6 +115,15 @@ WallResult findWalls(const SurfaceCells& cells, const CellIndex& index, const Le
             result.junctions.push_back(
                 {idOf[j.wall], idOf[j.other], j.atEnd ? JunctionEnd::End : JunctionEnd::Start, endOf(j.otherEnd)});
     }
+    for (const auto& arc : arcs)
+        for (const WallBody& body : arc->bodies)
+            if (std::optional<Wall> w =
+                    wallOf({body, body.begin, body.end}, arc->faces, cells.size_m, arc->mask, level, storey, params))
+            {
+                bend(*w, arc->unrolling);
+                add(std::move(*w));
+            }
+    connectArcs(result.walls, result.junctions, mask, nextId, params);
     return result;
 }
 

@@ -32,6 +32,11 @@ struct WallParams
     double mergeUnseen_m = 4.0;         ///< largest hidden gap between collinear pieces, each longer than it
     double mergeOffset_m = 0.03;        ///< largest offset between collinear pieces of one wall
     double closeGap_m = 0.60;           ///< largest gap that is closed at a corner; D3.6, 3.4.4
+
+    bool curved = true;                ///< whether curved walls are looked for
+    double minimumArcRadius_m = 0.8;   ///< of a curved wall's face
+    double maximumArcRadius_m = 30.0;  ///< of a curved wall's face
+
     bool operator==(const WallParams&) const = default;
 };
 

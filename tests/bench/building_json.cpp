@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/building_json.h"
 
+#include "core/model/wall_axis.h"
+
 #include <nlohmann/json.hpp>
 
 namespace s2b
@@ -33,6 +35,7 @@ std::string buildingJson(const Building& building)
                                 {"storey", w.storey.value},
                                 {"outline", ring(w.outline())},
                                 {"axis", {world(w.start), world(w.end)}},
+                                {"bulge", w.bulge},
                                 {"thickness", w.thickness.value_m},
                                 {"base", w.base_m},
                                 {"height", w.height.value_m},
@@ -40,14 +43,15 @@ std::string buildingJson(const Building& building)
     for (const Opening& o : building.openings)
     {
         const Wall* w = building.wall(o.host);
-        const Eigen::Vector2d a = w->start + w->direction() * o.offset_m, b = a + w->direction() * o.width.value_m,
-                              n = w->normal() * (w->thickness.value_m / 2);
-        out["openings"].push_back({{"id", o.id.value},
-                                   {"storey", w->storey.value},
-                                   {"kind", static_cast<int>(o.kind)},
-                                   {"outline", ring({a - n, b - n, b + n, a + n})},
-                                   {"sill", o.sill.value_m},
-                                   {"height", o.height.value_m}});
+        const WallAxis axis(*w);
+        const double from = o.offset_m, to = from + o.width.value_m, half = w->thickness.value_m / 2;
+        out["openings"].push_back(
+            {{"id", o.id.value},
+             {"storey", w->storey.value},
+             {"kind", static_cast<int>(o.kind)},
+             {"outline", ring({axis.at(from, -half), axis.at(to, -half), axis.at(to, half), axis.at(from, half)})},
+             {"sill", o.sill.value_m},
+             {"height", o.height.value_m}});
     }
     for (const Column& c : building.columns)
         out["columns"].push_back({{"id", c.id.value},
