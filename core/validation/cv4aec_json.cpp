@@ -24,6 +24,8 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr double kSheet_m = 0.01;    ///< thickness of what has none
+constexpr double kLong = 1.5;        ///< a door so much wider than deep lies along its wall ...
+constexpr double kAlong = 0.7;       ///< ... by this cosine
 constexpr double kNearWall_m = 0.3;  ///< a door's middle lies at most so far from its wall's face
 
 struct Part
@@ -151,7 +153,8 @@ private:
             r.axis = along.normalized();
         r.half = {0.5 * along.norm(), 0.5 * thickness};
         takePlan(element, r);
-        element.axis = WallAxis{start.head<2>(), end.head<2>(), thickness};
+        if (along.norm() > 0.0)
+            element.axis = WallAxis{start.head<2>(), end.head<2>(), thickness};
         takeHeights(object, std::min(start.z(), end.z()), element);
     }
 
@@ -228,10 +231,12 @@ private:
         for (std::size_t i = 0; i < m_bim.elements.size(); ++i)
         {
             const BimElement& wall = m_bim.elements[i];
-            if (wall.elementClass != ElementClass::Wall || wall.storey != door.storey)
+            if (!wall.axis || wall.storey != door.storey)
                 continue;
             const Eigen::Vector2d d = wall.axis->end - wall.axis->start;
             const Eigen::Vector2d u = d.normalized();
+            if (box.half.x() > kLong * box.half.y() && std::abs(box.axis.dot(u)) < kAlong)
+                continue;  // in a corner the other wall may be nearer
             const double along = (box.center - wall.axis->start).dot(u);
             const double across = std::abs((box.center - wall.axis->start).dot(Eigen::Vector2d(-u.y(), u.x())));
             const double gap = across - 0.5 * wall.axis->thickness_m;

@@ -107,6 +107,24 @@ TEST(Cv4aec, MeshesHaveTheirDoorsCutOut)
     EXPECT_NEAR(volume, 0.2 * (4.0 * 3.0 - 1.0 * 2.1), kExact);
 }
 
+TEST(Cv4aec, ADoorInACornerBelongsToTheWallAlongIt)
+{
+    // Its middle lies in the wall along y, but it is as wide as a door along x.
+    const Folder folder;
+    const std::string all = R"({"walls": [
+      {"start_pt": [0,-2,0], "end_pt": [0,2,0], "width": 0.3, "height": 3},
+      {"start_pt": [-0.6,0,0], "end_pt": [4,0,0], "width": 0.1, "height": 3},
+      {"start_pt": [0.1,0,0], "end_pt": [0.1,0,0], "width": 0.3, "height": 3}],
+      "doors": [{"loc": [0.1, 0.06, 0], "width": 1.0, "depth": 0.1, "height": 2}]})";
+    const Bim bim = ifc::readTruth(folder.write("a.json", all));
+    ASSERT_EQ(bim.elements.size(), 4U);
+    const BimElement& door = bim.elements.back();
+    ASSERT_EQ(door.elementClass, ElementClass::Door);
+    EXPECT_EQ(door.host, 1);
+    EXPECT_NEAR(area(door.plan), 1.0 * 0.1, kExact);
+    EXPECT_FALSE(bim.elements[2].axis.has_value()) << "a wall without a length has no direction";
+}
+
 TEST(Cv4aec, FilesThatAreNoneAreRefusedInOneSentence)
 {
     const Folder folder;
