@@ -69,7 +69,7 @@ std::string histogram(const Scene& scene, const CloudDeviation& deviation, const
             "<line x1=\"{0}\" x2=\"{0}\" y1=\"{1}\" y2=\"{2}\" class=\"tick\"/><text x=\"{0}\" y=\"{3}\" "
             "class=\"axis\" text-anchor=\"middle\">{4}</text>\n",
             plainNumber(x(value_m), 2), kTop + kHeight, kTop + kHeight + 1.4, kTop + kHeight + 4.6,
-            millimetres(value_m, true));
+            roundMillimetres(value_m, true));
     }
     for (const double side : {-1.0, 1.0})
     {
@@ -79,7 +79,7 @@ std::string histogram(const Scene& scene, const CloudDeviation& deviation, const
     }
     svg += std::format("<text x=\"{}\" y=\"{}\" class=\"axis\">LOA{}: ±{} mm</text>\n",
                        plainNumber(x(scene.toleranceLimit_m) + 1.2, 2), kTop + 2.0, params.tolerance,
-                       millimetres(scene.toleranceLimit_m));
+                       roundMillimetres(scene.toleranceLimit_m));
     svg += std::format(
         "<text x=\"{}\" y=\"{}\" class=\"axis\" text-anchor=\"middle\">signed distance from the nearest element "
         "[mm], positive outside</text>\n",
@@ -131,7 +131,7 @@ std::string bandLegend(const ValidationParams& params)
         if (style.band >= LoaBand::Loa10)
         {
             const auto index = static_cast<std::size_t>(style.band) - static_cast<std::size_t>(LoaBand::Loa10);
-            meaning += " (to " + millimetres(params.loaLimit_m[index]) + " mm)";
+            meaning += " (to " + roundMillimetres(params.loaLimit_m[index]) + " mm)";
         }
         legend += std::format(
             "<li><svg width=\"6mm\" height=\"3.5mm\" viewBox=\"0 0 6 3.5\" aria-hidden=\"true\"><rect "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/html.h"
 
+#include "core/base/error.h"
 #include "core/report/charts.h"
 #include "core/report/template.h"
 #include "core/report/text.h"
@@ -65,7 +66,7 @@ void addHead(Fields& page, const ReportInput& input, const Scene& scene)
     page.set("TITLE", result + (input.truth ? " against " + fileName(input.truth->file) : " against the points"));
     page.set("RESULT", result);
     page.set("TOLERANCE", "LOA" + std::to_string(input.params->tolerance));
-    page.set("LIMIT", millimetres(scene.toleranceLimit_m));
+    page.set("LIMIT", roundMillimetres(scene.toleranceLimit_m));
     if (all.judged > 0)
     {
         Fields& verdict = page.add("VERDICT");
@@ -75,9 +76,11 @@ void addHead(Fields& page, const ReportInput& input, const Scene& scene)
                                 " judged elements are within tolerance.");
         std::string rest;
         if (all.noData > 0)
-            rest += std::to_string(all.noData) + " have too few points to be judged. ";
+            rest +=
+                std::to_string(all.noData) + (all.noData == 1 ? " has" : " have") + " too few points to be judged. ";
         if (all.notSeen > 0)
-            rest += std::to_string(all.notSeen) + " of the truth were not seen by the survey and are not asked for.";
+            rest += std::to_string(all.notSeen) + " of the truth " + (all.notSeen == 1 ? "was" : "were") +
+                    " not seen by the survey and not asked for.";
         verdict.set("REST", rest);
     }
     else
@@ -279,7 +282,7 @@ void addHistogram(Fields& page, const ReportInput& input, const Scene& scene)
         points += count;
     Fields& figure = page.add("HISTOGRAM");
     figure.set("SVG", svg);
-    figure.set("CAPTION", counted(points) + " points within " + millimetres(input.params->deviationRange_m) +
+    figure.set("CAPTION", counted(points) + " points within " + roundMillimetres(input.params->deviationRange_m) +
                               " mm of an element; points farther away are not of the building.");
 }
 
@@ -296,9 +299,9 @@ void addParameters(Fields& page, const ReportInput& input)
     std::string limits;
     for (std::size_t i = 0; i < params.loaLimit_m.size(); ++i)
         limits += (i ? ", " : "") + std::string("LOA") + std::to_string(10 * (i + 1)) + " " +
-                  millimetres(params.loaLimit_m[i]) + " mm";
+                  roundMillimetres(params.loaLimit_m[i]) + " mm";
     add("VALIDATION", "Limits of the accuracy bands (95 %)", limits);
-    add("VALIDATION", "Points count up to this distance", millimetres(params.deviationRange_m) + " mm");
+    add("VALIDATION", "Points count up to this distance", roundMillimetres(params.deviationRange_m) + " mm");
     add("VALIDATION", "An element counts as seen from a coverage of", percent(params.minimumCoverage));
     add("VALIDATION", "A pair is a match from an IoU of", number(params.minimumMatch, 2));
     if (input.parameters.empty())
@@ -382,6 +385,16 @@ std::string makeHtml(const ReportInput& input, const Scene& scene, const Drawing
         top.add("SIZE") = size;
     }
     return fillTemplate(kReportTemplate, top);
+}
+
+std::string pageStyle()
+{
+    constexpr std::string_view kOpen = "<style>";
+    const std::size_t begin = kReportTemplate.find(kOpen);
+    const std::size_t end = kReportTemplate.find("</style>");
+    if (begin == std::string_view::npos || end == std::string_view::npos)
+        throw Error(ErrorCode::Internal, "the template of the report has no style sheet");
+    return std::string(kReportTemplate.substr(begin + kOpen.size(), end - begin - kOpen.size()));
 }
 
 }  // namespace s2b::report

@@ -22,4 +22,7 @@ struct Drawings
 /// report.html: one page without any external resource, for the screen and for A4 paper.
 [[nodiscard]] std::string makeHtml(const ReportInput& input, const Scene& scene, const Drawings& drawings);
 
+/// The page's style sheet, for other pages that show these drawings.
+[[nodiscard]] std::string pageStyle();
+
 }  // namespace s2b::report

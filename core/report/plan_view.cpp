@@ -27,12 +27,12 @@ struct StyleText
     const char* meaning;
 };
 constexpr std::array<StyleText, 6> kStyles{{
-    {Style::Within, "within", "result, within tolerance"},
-    {Style::OutOfTolerance, "out", "result, out of tolerance"},
-    {Style::Missed, "missed", "missed: in the truth alone"},
-    {Style::FalsePositive, "extra", "false positive: in the result alone"},
-    {Style::NoData, "nodata", "result, too few points to judge"},
-    {Style::NotSeen, "notseen", "truth that the survey did not see"},
+    {Style::Within, "within", "within tolerance"},
+    {Style::OutOfTolerance, "out", "out of tolerance"},
+    {Style::Missed, "missed", "missed (in the truth alone)"},
+    {Style::FalsePositive, "extra", "false positive (in the result alone)"},
+    {Style::NoData, "nodata", "too few points to judge"},
+    {Style::NotSeen, "notseen", "not seen by the survey"},
 }};
 
 const char* cssOf(Style style)
@@ -151,9 +151,9 @@ Drawing drawPlan(const Scene& scene, const Level& level, const StoreyRasters& ra
         return drawing;
     Sheet sheet(widened(box), kPaperWidth_mm, kPaperHeight_mm, kMargin_mm);
     sheet.beginClip();
-    if (!rasters.slice.isEmpty())
-        sheet.image(rasters.slice, rasters.sliceImage, "points of the slice");
     drawElements(sheet, scene, level);
+    if (!rasters.slice.isEmpty())
+        sheet.image(rasters.slice, rasters.sliceImage, "points of the slice");  // darkens what is below it
     drawNumbers(sheet, scene, level);
     sheet.endClip();
     sheet.frame(scene.base.head<2>());
@@ -287,7 +287,7 @@ std::string planLegend(const Scene& scene)
     item(
         "<rect x=\"2\" y=\"0.65\" width=\"5\" height=\"3.2\" rx=\"1.6\" class=\"badge\"/><text x=\"4.5\" y=\"3.1\" "
         "class=\"badgetext\" text-anchor=\"middle\">12</text>",
-        "number in the table of elements");
+        "number in the table");
     return legend + "</ul>\n";
 }
 
@@ -327,7 +327,7 @@ std::string colorBar(const Scene& scene)
         svg += std::format(
             "<line x1=\"{0}\" x2=\"{0}\" y1=\"4\" y2=\"5.2\" class=\"tick\"/><text x=\"{0}\" y=\"8\" "
             "class=\"axis\" text-anchor=\"middle\">{1}</text>",
-            plainNumber(x, 2), millimetres(value * scene.colorRange_m, true));
+            plainNumber(x, 2), roundMillimetres(value * scene.colorRange_m, true));
     }
     svg +=
         "<text x=\"0\" y=\"10.8\" class=\"axis\">inside the element</text><text x=\"90\" y=\"10.8\" class=\"axis\" "

@@ -33,7 +33,7 @@ std::optional<double> largestError(const ElementResult& pair)
 void judge(Row& row, const Scene& scene, const ValidationParams& params)
 {
     const std::string limit =
-        "the " + millimetres(scene.toleranceLimit_m) + " mm of LOA" + std::to_string(params.tolerance);
+        "the " + roundMillimetres(scene.toleranceLimit_m) + " mm of LOA" + std::to_string(params.tolerance);
     const auto compare = [&](double error_m, const std::string& what)
     {
         row.error_m = error_m;

@@ -145,6 +145,16 @@ std::string millimetres(const std::optional<double>& length_m, bool sign)
     return length_m ? millimetres(*length_m, sign) : kNone;
 }
 
+std::string roundMillimetres(double length_m, bool sign)
+{
+    std::string text = plainNumber(1000.0 * length_m, 2);
+    if (text.front() == '-')
+        text.replace(0, 1, kMinus);
+    else if (sign && text != "0")
+        text.insert(0, "+");
+    return text;
+}
+
 std::string percent(double share)
 {
     return number(100.0 * share, 0) + std::string(kNarrowSpace) + "%";

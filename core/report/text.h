@@ -33,6 +33,9 @@ inline constexpr const char* kNone = "\u2013";
 [[nodiscard]] std::string millimetres(double length_m, bool sign = false);
 [[nodiscard]] std::string millimetres(const std::optional<double>& length_m, bool sign = false);
 
+/// As few decimals as a limit or a place on a scale needs: "15", "+7.5".
+[[nodiscard]] std::string roundMillimetres(double length_m, bool sign = false);
+
 /// [0, 1] as "93 %".
 [[nodiscard]] std::string percent(double share);
 

@@ -5,8 +5,10 @@
 #include "core/base/nearest_name.h"
 #include "core/validation/validation_parameters.h"
 
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QTemporaryFile>
 #include <algorithm>
 #include <string_view>
 
@@ -71,8 +73,9 @@ namespace s2b
 				fail(QString("-REPORT '%1' is a file: give a folder").arg(text), ErrorCode::CannotWrite);
 			while (!folder.exists() && folder.absolutePath() != folder.absoluteFilePath())
 				folder = QFileInfo(folder.absolutePath());
-			if (!folder.isDir() || !folder.isWritable())
-				fail(QString("-REPORT '%1' can't be written: no permission for it, choose another place").arg(text), ErrorCode::CannotWrite);
+			// Permissions do not tell everything: a file is tried.
+			if (!folder.isDir() || !QTemporaryFile(QDir(folder.filePath()).filePath("s2b_XXXXXX")).open())
+				fail(QString("-REPORT '%1' can't be written: nothing can be written there, choose another place").arg(text), ErrorCode::CannotWrite);
 			return QFileInfo(text).absoluteFilePath();
 		}
 

@@ -115,8 +115,9 @@ namespace s2b
 				auto                   mesh   = makeMesh(row.element().mesh, origin, reference, style.color);
 				if (!mesh)
 					continue;
-				const QString kind = validation::className(row.pair.elementClass);
-				mesh->setName(QString("%1: %2 %3").arg(row.number).arg(kind, text(row.name)));
+				const QString kind    = validation::className(row.pair.elementClass);
+				const QString element = text(row.name).startsWith(kind, Qt::CaseInsensitive) ? text(row.name) : kind + ' ' + text(row.name);
+				mesh->setName(QString("%1: %2").arg(row.number).arg(element));
 				mesh->setMetaData(metaData(row));
 				// What lies over or fills the rest would hide it.
 				const bool isHiding = row.pair.elementClass == validation::ElementClass::Slab || row.pair.elementClass == validation::ElementClass::Space;

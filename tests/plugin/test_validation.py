@@ -259,6 +259,11 @@ def test_folder_that_is_a_file(cloudcompare, scan, truth, tmp_path):
     assert not (tmp_path / "scan.ifc").exists()
 
 
+def test_folder_that_can_not_be_written(cloudcompare, scan, truth, tmp_path):
+    # Root may write anywhere, but nobody can make a file below /proc.
+    assert_refused(cloudcompare("-O", scan, "-S2B", "-VALIDATE", truth, "-REPORT", "/proc/report"), tmp_path, "-REPORT", "/proc/report")
+
+
 def test_nothing_to_compare(cloudcompare, truth, tmp_path):
     assert_refused(cloudcompare("-S2B", "-STAGES", "none"), tmp_path, "-IFC", "-VALIDATE")
     assert_refused(cloudcompare("-S2B", "-STAGES", "none", "-VALIDATE", truth), tmp_path, "-IFC", "-O FILE")

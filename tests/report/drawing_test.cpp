@@ -35,6 +35,10 @@ TEST(Text, ShowsNumbersAsPeopleReadThem)
     EXPECT_EQ(millimetres(0.00412, true), "+4.1");
     EXPECT_EQ(millimetres(-0.1534), "\u2212153");
     EXPECT_EQ(millimetres(0.00002, true), "0.0");
+    EXPECT_EQ(roundMillimetres(0.015), "15");
+    EXPECT_EQ(roundMillimetres(0.0075, true), "+7.5");
+    EXPECT_EQ(roundMillimetres(-0.2, true), "\u2212200");
+    EXPECT_EQ(roundMillimetres(0.0, true), "0");
     EXPECT_EQ(percent(0.934), "93\u202F%");
     EXPECT_EQ(plainNumber(-0.00001, 3), "0");
     EXPECT_EQ(plainNumber(1.500, 3), "1.5");

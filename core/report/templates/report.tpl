@@ -16,7 +16,7 @@ main { max-width: 210mm; margin: 8mm auto; padding: 14mm; background: #fff; box-
 header { border-bottom: 0.6mm solid var(--ink); padding-bottom: 3mm; margin-bottom: 5mm; }
 header p { margin: 0; color: var(--soft); letter-spacing: .06em; text-transform: uppercase; font-size: 8pt; }
 h1 { font-size: 19pt; line-height: 1.2; margin: 1mm 0 0; font-weight: 650; overflow-wrap: anywhere; }
-h2 { font-size: 13pt; margin: 9mm 0 2mm; font-weight: 650; border-bottom: 0.25mm solid var(--line); padding-bottom: 1mm; break-after: avoid; }
+h2 { font-size: 13pt; margin: 7mm 0 2mm; font-weight: 650; border-bottom: 0.25mm solid var(--line); padding-bottom: 1mm; break-after: avoid; }
 h3 { font-size: 10.5pt; margin: 5mm 0 1mm; font-weight: 650; break-after: avoid; }
 p { margin: 0 0 2mm; max-width: 165mm; }
 .note { color: var(--soft); font-size: 8.5pt; }
@@ -60,7 +60,7 @@ figure svg { max-width: 100%; height: auto; display: block; margin: 0 auto; }
 figure.pair { display: block; }
 figure.pair svg { display: inline-block; vertical-align: top; margin: 0; }
 figcaption { color: var(--soft); font-size: 8.5pt; margin-top: 1mm; }
-ul.legend { list-style: none; display: flex; flex-wrap: wrap; gap: 1mm 5mm; padding: 0; margin: 1mm 0 3mm; font-size: 8pt; color: var(--soft); }
+ul.legend { list-style: none; display: flex; flex-wrap: wrap; gap: 1mm 4mm; padding: 0; margin: 1mm 0 2mm; font-size: 7.8pt; color: var(--soft); }
 ul.legend li { display: flex; align-items: center; gap: 1.5mm; }
 svg.colorbar { display: block; margin: 1mm 0 2mm; }
 svg text { font-family: "Inter", "Segoe UI", "Helvetica Neue", Helvetica, Arial, "Liberation Sans", sans-serif; }
@@ -73,6 +73,7 @@ svg .frame { fill: none; stroke: #46505b; stroke-width: 0.25; }
 svg .north { fill: #1d252e; }
 svg .bar0 { fill: #1d252e; } svg .bar1 { fill: #fff; stroke: #1d252e; stroke-width: 0.15; }
 svg image { image-rendering: pixelated; }
+svg image[aria-label="points of the slice"] { mix-blend-mode: multiply; }
 svg .e { stroke-width: 0.3; stroke-linejoin: round; }
 svg .within { fill: #3f7fbf; fill-opacity: .32; stroke: #1d5a96; }
 svg .out { fill: url(#p-out); stroke: #9a6200; stroke-width: 0.4; }
