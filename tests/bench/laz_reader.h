@@ -3,13 +3,17 @@
 
 #include "core/cloud/point_cloud.h"
 
+#include <array>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace s2b
 {
 
 /// Reads a LAS or LAZ file. The origin is the file's first point, rounded to 100 m where coordinates are large.
 /// Classification codes are taken as values of Label. @throws Error{BadFile}.
-[[nodiscard]] PointCloud readLaz(const std::string& path);
+/// @param colours  where not null: red, green, blue of each point.
+[[nodiscard]] PointCloud readLaz(const std::string& path, std::vector<std::array<std::uint8_t, 3>>* colours = nullptr);
 
 }  // namespace s2b
