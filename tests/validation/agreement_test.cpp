@@ -34,7 +34,9 @@ struct Simulated
         const sim::SimulatedBuilding building = sim::makeBuilding(spec);
         const sim::Scene scene = sim::makeScene(building, spec.seed);
         const std::vector<sim::Station> stations = sim::chooseStations(building, scene, false, spec.seed);
-        const sim::Survey survey = sim::scan(scene, stations, quickScan());
+        sim::ScanSettings settings = quickScan();
+        settings.step_deg = 1.4;  // 5 cm at 2 m: enough for cells of 10 cm
+        const sim::Survey survey = sim::scan(scene, stations, settings);
         cloud = survey.toPointCloud();
         sim::writeTruth(scene, survey, stations, &building, json);
         ifc::writeIfc(building.truth, ifc, {});
