@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <vector>
 
 namespace s2b
 {
@@ -47,17 +48,6 @@ Extent extentOf(const CloudView& cloud, const Context& context)
 }
 
 }  // namespace
-
-bool KeptRegion::contains(const Eigen::Vector3f& p) const
-{
-    if (everything)
-        return true;
-    const double z = static_cast<double>(p.z());
-    if (z < zMin || z > zMax)
-        return false;
-    const Eigen::Vector2d d = p.head<2>().cast<double>() - center;
-    return std::abs(d.dot(axis)) <= half.x() && std::abs(axis.x() * d.y() - axis.y() * d.x()) <= half.y();
-}
 
 KeptRegion findDenseRegion(const CloudView& cloud, const ClutterParams& params, const Context& context)
 {
