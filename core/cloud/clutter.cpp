@@ -2,14 +2,15 @@
 #include "core/cloud/clutter.h"
 
 #include "core/base/parallel.h"
+#include "core/geometry/dbscan.h"
 #include "core/geometry/rectangle.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <mutex>
-#include <vector>
 
 namespace s2b
 {
@@ -17,6 +18,8 @@ namespace
 {
 
 constexpr std::size_t kChunk = 1u << 18;
+constexpr double kGap_m = 4.0;          // between parts of one survey, at most
+constexpr double kSmallestPart = 0.05;  // of the largest part's size, for one that stands apart
 
 struct Extent
 {
@@ -47,7 +50,33 @@ Extent extentOf(const CloudView& cloud, const Context& context)
     return all;
 }
 
+/// Drops the parts that stand apart and are small: what was seen through windows, far away.
+std::vector<Eigen::Vector3d> mainParts(const std::vector<Eigen::Vector3d>& voxels, double gap)
+{
+    const std::vector<int> part = dbscan(voxels, gap, 1);
+    std::map<int, std::size_t> sizes;
+    std::size_t largest = 0;
+    for (const int p : part)
+        largest = std::max(largest, ++sizes[p]);
+    std::vector<Eigen::Vector3d> kept;
+    for (std::size_t i = 0; i < voxels.size(); ++i)
+        if (static_cast<double>(sizes[part[i]]) >= kSmallestPart * static_cast<double>(largest))
+            kept.push_back(voxels[i]);
+    return kept;
+}
+
 }  // namespace
+
+bool KeptRegion::contains(const Eigen::Vector3f& p) const
+{
+    if (everything)
+        return true;
+    const double z = static_cast<double>(p.z());
+    if (z < zMin || z > zMax)
+        return false;
+    const Eigen::Vector2d d = p.head<2>().cast<double>() - center;
+    return std::abs(d.dot(axis)) <= half.x() && std::abs(axis.x() * d.y() - axis.y() * d.x()) <= half.y();
+}
 
 KeptRegion findDenseRegion(const CloudView& cloud, const ClutterParams& params, const Context& context)
 {
@@ -110,7 +139,7 @@ KeptRegion findDenseRegion(const CloudView& cloud, const ClutterParams& params, 
         }
     }
     const double limit = params.minimumDensity * typical;
-    std::vector<Eigen::Vector2d> corners;
+    std::vector<Eigen::Vector3d> dense;  // lower corners of voxels
     double zMin = std::numeric_limits<double>::infinity(), zMax = -zMin;
     for (std::size_t i = 0; i < counts.size(); ++i)
     {
@@ -121,6 +150,11 @@ KeptRegion findDenseRegion(const CloudView& cloud, const ClutterParams& params, 
             extent.low.cast<double>() + voxel * Eigen::Vector3d(static_cast<double>(i % nx),
                                                                 static_cast<double>(i / nx % ny),
                                                                 static_cast<double>(i / nx / ny));
+        dense.push_back(low);
+    }
+    std::vector<Eigen::Vector2d> corners;
+    for (const Eigen::Vector3d& low : mainParts(dense, std::max(kGap_m, 3 * voxel)))
+    {
         for (int k = 0; k < 4; ++k)
             corners.emplace_back(low.x() + (k & 1 ? voxel : 0), low.y() + (k & 2 ? voxel : 0));
         zMin = std::min(zMin, low.z());

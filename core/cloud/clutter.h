@@ -4,7 +4,7 @@
 #include "core/base/context.h"
 #include "core/cloud/point_cloud.h"
 
-#include <cmath>
+#include <vector>
 
 namespace s2b
 {
@@ -30,22 +30,14 @@ struct KeptRegion
     double zMax = 0.0;
     bool everything = true;  ///< no limit at all
 
-    /// Asked for every point, some times.
-    [[nodiscard]] bool contains(const Eigen::Vector3f& p) const
-    {
-        if (everything)
-            return true;
-        const double z = static_cast<double>(p.z());
-        const double x = static_cast<double>(p.x()) - center.x(), y = static_cast<double>(p.y()) - center.y();
-        return z >= zMin && z <= zMax && std::abs(x * axis.x() + y * axis.y()) <= half.x() &&
-               std::abs(axis.x() * y - axis.y() * x) <= half.y();
-    }
+    [[nodiscard]] bool contains(const Eigen::Vector3f& p) const;
 };
 
 /// Finds the region that the building occupies: sparse voxels are clutter, and what lies outside the minimum oriented
 /// box of the dense ones is removed; sparse details inside it are kept (D3.6, 3.2).
 ///
-/// Differs from D3.6: the density limit is a share of the cloud's own median density, so no tuning per survey.
+/// Differs from D3.6: the density limit is a share of the cloud's own median density, so no tuning per survey; dense
+/// voxels that stand apart from the building and are few (seen through windows) do not widen the box.
 /// @param cloud  N >= 1 points.  Cost: O(N), one pass, 16 bytes per occupied voxel. Independent of the point order.
 [[nodiscard]] KeptRegion findDenseRegion(const CloudView& cloud, const ClutterParams& params, const Context& context);
 
