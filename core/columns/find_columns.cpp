@@ -119,6 +119,7 @@ struct Candidate
     double width = 0, depth = 0, rectangleRms = 0;
     std::optional<CircleFit> circle;
     bool isRound = false;
+    bool isEngaged = false;  ///< stands in a wall: the part within is assumed
 };
 
 CircleOptions circleOptions(const ColumnParams& params, const Context& context)
@@ -173,8 +174,9 @@ bool isCircle(const Candidate& c, const CircleFit& f, const ColumnParams& params
            (f.rms_m < c.rectangleRms || coverage < 0.3) && 2 * f.radius_m <= params.maximumSize_m;
 }
 
-/// Does the candidate stand on the floor and reach the ceiling, without a large gap?
-bool isFullHeight(const std::vector<Spot>& spots, const Level& level, const ColumnParams& params)
+/// Does the candidate stand on the floor and reach the ceiling, without a large gap? With labels less has to be seen:
+/// they say what it is, but wrong ones gather in patches.
+bool isFullHeight(const std::vector<Spot>& spots, const Level& level, bool hasLabels, const ColumnParams& params)
 {
     std::uint64_t rows = 0;
     for (const Spot& s : spots)
@@ -185,6 +187,8 @@ bool isFullHeight(const std::vector<Spot>& spots, const Level& level, const Colu
     int seen = 0;
     for (int r = first; r <= last; ++r)
         seen += static_cast<int>(rows >> r & 1);
+    if (hasLabels)
+        return seen >= 0.35 * (last - first + 1);
     return last > first && seen >= 0.8 * (last - first + 1) && (rows >> (last - 1)) != 0;
 }
 
@@ -204,7 +208,7 @@ std::vector<Candidate> candidatesOf(const SurfaceCells& cells, const Level& leve
     for (auto& [k, members] : clusters)
     {
         context.checkCancelled();
-        if (!cells.hasLabels && !isFullHeight(members, level, params))
+        if (!isFullHeight(members, level, cells.hasLabels, params))
             continue;
         // Stray cells (mixed pixels, wrong labels) stand alone; a column's surface is stacked.
         Candidate c;
@@ -247,6 +251,38 @@ void shareRadius(std::vector<Candidate>& candidates, const ColumnParams& params,
     }
 }
 
+/// A column that a wall hides in part: what shows is its front. Of a rectangle flush with a wall's face, less deep than
+/// wide, the depth within the wall is assumed: a square section, up to the wall's other face.
+void completeEngaged(Candidate& c, const std::vector<Wall>& walls)
+{
+    constexpr double flush_m = 0.05;
+    for (int side = 0; side < 4 && !c.isEngaged; ++side)
+    {
+        const Eigen::Vector2d y(-c.x.y(), c.x.x());
+        const Eigen::Vector2d out = (side < 2 ? c.x : y) * (side % 2 ? -1.0 : 1.0);
+        double& deep = side < 2 ? c.width : c.depth;
+        const double wide = side < 2 ? c.depth : c.width;
+        if (deep >= wide)
+            continue;
+        const Eigen::Vector2d back = c.center + out * (deep / 2);
+        for (const Wall& w : walls)
+        {
+            if (w.bulge != 0 || std::abs(w.normal().dot(out)) < 0.995)
+                continue;
+            const Eigen::Vector2d d = back - w.start;
+            const double s = w.direction().dot(d), half = w.thickness.value_m / 2,
+                         inside = half + w.normal().dot(d) * (w.normal().dot(out) > 0 ? 1.0 : -1.0);
+            if (s < w.bodyStart_m || s > w.bodyEnd_m || std::abs(inside) > flush_m)
+                continue;
+            const double more = std::min(wide - deep, 2 * half - inside);
+            c.center += out * (more / 2);
+            deep += more;
+            c.isEngaged = true;
+            break;
+        }
+    }
+}
+
 }  // namespace
 
 ColumnResult findColumns(const SurfaceCells& cells, const Level& level, const std::vector<Wall>& walls,
@@ -255,8 +291,10 @@ ColumnResult findColumns(const SurfaceCells& cells, const Level& level, const st
     ColumnResult result;
     std::vector<Candidate> candidates = candidatesOf(cells, level, walls, params, context);
     shareRadius(candidates, params, context);
-    for (const Candidate& k : candidates)
+    for (Candidate& k : candidates)
     {
+        if (!k.isRound)
+            completeEngaged(k, walls);
         Column c;
         c.storey = storey;
         c.base_m = level.floor_m;
@@ -293,6 +331,11 @@ ColumnResult findColumns(const SurfaceCells& cells, const Level& level, const st
         c.id = ElementId{nextId++};
         for (const Spot& s : k.spots)
             c.evidence.points += s.points;
+        c.sectionProvenance = k.isEngaged ? Provenance::Assumed : Provenance::Measured;
+        if (k.isEngaged)
+            result.diagnostics.push_back({Severity::Warning, "columns", "DepthAssumed",
+                                          "The column stands in a wall; its depth within the wall is assumed.", c.id,
+                                          Eigen::Vector3d(c.center.x(), c.center.y(), level.floor_m)});
         c.evidence.facesSeen = 2;
         c.evidence.labelShare = cells.hasLabels ? 1.0 : 0.0;
         result.columns.push_back(c);
