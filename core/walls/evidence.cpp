@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/walls/evidence.h"
 
+#include "core/walls/sloped_top.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -48,9 +50,16 @@ double fillOf(const Face& face, double cell_m)
     return area <= 0 ? 0.0 : face.area_m2 / area;
 }
 
+/// Of one face.
 double areaOf(const WallBody& body)
 {
-    return std::max(0.01, (body.end - body.begin) * (body.top - body.bottom));
+    if (body.topEdge.empty())
+        return std::max(0.01, (body.end - body.begin) * (body.top - body.bottom));
+    double area = 0;
+    const std::vector<Eigen::Vector2d> edge = topBetween(body.topEdge, body.begin, body.end);
+    for (std::size_t i = 0; i + 1 < edge.size(); ++i)
+        area += (edge[i + 1].x() - edge[i].x()) * ((edge[i].y() + edge[i + 1].y()) / 2 - body.bottom);
+    return std::max(0.01, area);
 }
 
 /// The left face's (high) and the right face's (low) parts, each once.

@@ -6,6 +6,7 @@
 #include "core/walls/heights.h"
 #include "core/walls/parallel_planes.h"
 #include "core/walls/plan_mask.h"
+#include "core/walls/sloped_top.h"
 #include "core/walls/thickness.h"
 #include "core/walls/topology.h"
 #include "core/walls/walls.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <format>
+#include <limits>
 #include <optional>
 
 namespace s2b
@@ -33,12 +35,32 @@ int externalOf(const WallBody& body, const PlanMask& mask)
     return body.bothSeen() && below != above ? 1 : -1;
 }
 
+/// The sloped top edge of what topology left of a body, along its axis; empty when that is level.
+std::vector<Eigen::Vector2d> topProfileOf(const PlanWall& p)
+{
+    std::vector<Eigen::Vector2d> profile;
+    if (p.body.topEdge.empty())
+        return profile;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Eigen::Vector2d& v : topBetween(p.body.topEdge, p.body.begin, p.body.end))
+    {
+        profile.emplace_back(v.x() - p.axisBegin, v.y());
+        low = std::min(low, v.y());
+        high = std::max(high, v.y());
+    }
+    const bool isSloped = high - low > kLeastTopRise_m && low > p.body.bottom;
+    return isSloped ? profile : std::vector<Eigen::Vector2d>{};
+}
+
 /// The wall that a body makes; nothing when it is too small for one.
 std::optional<Wall> wallOf(const PlanWall& p, const std::vector<Face>& faces, double cell_m, const PlanMask& mask,
                            const Level& level, ElementId storey, const WallParams& params)
 {
     const bool reachesCeiling = p.body.top >= level.ceiling_m;
-    const double height = p.body.top - p.body.bottom;
+    const std::vector<Eigen::Vector2d> profile = topProfileOf(p);
+    double height = p.body.top - p.body.bottom;
+    if (!profile.empty())  // of its highest point
+        height = std::ranges::max(profile, {}, [](const auto& v) { return v.y(); }).y() - p.body.bottom;
     if (height < params.minimumHeight_m || p.axisEnd - p.axisBegin < 0.5 * params.minimumLength_m ||
         p.body.end - p.body.begin < 0.5 * params.minimumLength_m)
         return std::nullopt;
@@ -50,8 +72,11 @@ std::optional<Wall> wallOf(const PlanWall& p, const std::vector<Face>& faces, do
     w.bodyStart_m = p.body.begin - p.axisBegin;
     w.bodyEnd_m = p.body.end - p.axisBegin;
     w.base_m = p.body.bottom;
-    w.height = {height, level.ceilingSeen || !reachesCeiling ? Provenance::Measured : Provenance::Assumed,
-                level.floorRms_m};
+    w.topProfile = profile;
+    w.height = {
+        height,
+        level.ceilingSeen || !reachesCeiling || !w.topProfile.empty() ? Provenance::Measured : Provenance::Assumed,
+        level.floorRms_m};
     w.evidence = evidenceOf(p.body, faces, cell_m);
     w.thickness = {p.body.thickness(), p.body.bothSeen() ? Provenance::Measured : Provenance::Assumed,
                    w.evidence.rms_m};
@@ -116,13 +141,16 @@ WallResult findWalls(const SurfaceCells& cells, const CellIndex& index, const Le
                 {idOf[j.wall], idOf[j.other], j.atEnd ? JunctionEnd::End : JunctionEnd::Start, endOf(j.otherEnd)});
     }
     for (const auto& arc : arcs)
-        for (const WallBody& body : arc->bodies)
+        for (WallBody& body : arc->bodies)
+        {
+            body.topEdge.clear();  // the top of a bent wall under a sloped ceiling is no few straight pieces
             if (std::optional<Wall> w =
                     wallOf({body, body.begin, body.end}, arc->faces, cells.size_m, arc->mask, level, storey, params))
             {
                 bend(*w, arc->unrolling);
                 add(std::move(*w));
             }
+        }
     connectArcs(result.walls, result.junctions, mask, nextId, params);
     return result;
 }

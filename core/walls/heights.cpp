@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/walls/heights.h"
 
+#include "core/walls/sloped_top.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace s2b
 {
@@ -50,6 +53,29 @@ double quantile(std::vector<double> values, double q)
     const auto at = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), at, values.end());
     return *at;
+}
+
+/// Top edge of a body that follows a sloped ceiling; empty when it is level, or can't be told from a hidden top.
+std::vector<Eigen::Vector2d> slopedTopOf(const WallBody& body, const std::vector<Place>& places, const Level& level)
+{
+    // With one face seen, a lower top under a level ceiling may as well be hidden (stairs).
+    if (!body.bothSeen() && level.ceilingSeen)
+        return {};
+    const double limit = level.ceilingSeen ? level.highestCeiling_m() : std::numeric_limits<double>::infinity();
+    std::vector<Eigen::Vector2d> tops;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        if (places[i].seen)
+            // The edge is somewhere within the highest row.
+            tops.emplace_back(body.begin + (static_cast<double>(i) + 0.5) * kStep_m,
+                              std::min(limit, places[i].top - Face::kRow_m / 2));
+    std::vector<Eigen::Vector2d> edge = fitSlopedTop(tops, body.begin, body.end, places.size());
+    // A place's highest point is at its upper side, not in its middle.
+    std::vector<double> slopes;
+    for (std::size_t i = 0; i + 1 < edge.size(); ++i)
+        slopes.push_back(std::abs((edge[i + 1].y() - edge[i].y()) / (edge[i + 1].x() - edge[i].x())));
+    for (std::size_t i = 0; i < edge.size(); ++i)
+        edge[i].y() -= (slopes[std::max<std::size_t>(i, 1) - 1] + slopes[std::min(i, slopes.size() - 1)]) / 4 * kStep_m;
+    return edge;
 }
 
 /// Stretches where only the upper part was seen and the floor runs through below: a beam, no wall. [first, last)
@@ -140,6 +166,8 @@ std::vector<WallBody> settleHeights(std::vector<WallBody> bodies, const std::vec
             ends.insert(ends.end(), {from, to});
         ends.push_back(places.size());
         std::sort(ends.begin(), ends.end());
+        const std::vector<Eigen::Vector2d> edge =
+            ends.size() == 1 ? slopedTopOf(whole, places, level) : std::vector<Eigen::Vector2d>{};
         std::size_t first = 0;
         for (const std::size_t last : ends)
         {
@@ -175,6 +203,8 @@ std::vector<WallBody> settleHeights(std::vector<WallBody> bodies, const std::vec
                     mask.share(a, b, piece.low + inset, piece.high - inset, PlanMask::Floor) > 0.5)
                     piece.bottom = bottom;
             }
+            if (!edge.empty())
+                piece.topEdge = edge;
             result.push_back(std::move(piece));
         }
     }

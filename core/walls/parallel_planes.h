@@ -20,6 +20,8 @@ struct WallBody
     bool lowSeen = false, highSeen = false;  ///< by a face; else assumed
     double begin = 0.0, end = 0.0;
     double bottom = 0.0, top = 0.0;  ///< heights; set by settleHeights()
+    std::vector<Eigen::Vector2d>
+        topEdge{};  ///< (s, z) of a sloped top, which counts instead of `top`; empty: level. Set by settleHeights()
     std::vector<std::uint32_t> lowFaces, highFaces;
 
     [[nodiscard]] Eigen::Vector2d n() const { return {-t.y(), t.x()}; }

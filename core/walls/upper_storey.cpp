@@ -82,7 +82,9 @@ void divideWalls(std::vector<Wall>& walls, std::vector<Junction>& junctions, dou
     for (std::size_t i = 0; i < count; ++i)
     {
         const double top = walls[i].base_m + walls[i].height.value_m;
-        if (top < base_m + atLeast_m)
+        // A slope that comes down below the floor above leaves one wall.
+        const auto isBelow = [&](const Eigen::Vector2d& p) { return p.y() < base_m; };
+        if (top < base_m + atLeast_m || std::ranges::any_of(walls[i].topProfile, isBelow))
             continue;
         if (walls[i].base_m > base_m - atLeast_m)
         {
@@ -98,6 +100,7 @@ void divideWalls(std::vector<Wall>& walls, std::vector<Junction>& junctions, dou
         part.base_m = base_m;
         part.height.value_m = top - base_m;
         walls[i].height = {base_m - walls[i].base_m, Provenance::Corrected, walls[i].height.rms_m};
+        walls[i].topProfile.clear();
         above[walls[i].id] = part.id;
         walls.push_back(part);
     }
