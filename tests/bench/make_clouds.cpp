@@ -24,7 +24,7 @@ using namespace s2b;
 using namespace s2b::sim;
 
 constexpr double kMillion = 1.0e6;
-constexpr double kRaysPerPoint = 3.0;  // some find nothing, and of some only one point a voxel is kept
+constexpr double kRaysPerPoint = 2.0;  // some find nothing, and of some only one point a voxel is kept
 constexpr double kVoxel_m = 0.003;
 constexpr double kElevations_deg = 150.0;  // of a station, see ScanSettings
 
