@@ -97,7 +97,8 @@ TEST(WriterFile, UnwritablePlacesAreNamed)
 {
     const test::TestFolder folder;
     test::writeText(folder.file("plain"), "x");
-    for (const std::string& path : {folder.file("missing/a.ifc"), folder.file("plain/a.ifc"), folder.file("")})
+    for (const std::string& path : {folder.file("missing/a.ifc"), folder.file("plain/a.ifc"), folder.file(""),
+                                    std::string("/proc/a.ifc")})  // a folder that even root can't write to
     {
         const Error e = errorOf(test::oneWall(), path);
         EXPECT_EQ(e.code(), ErrorCode::CannotWrite);
