@@ -11,6 +11,7 @@
 #include <limits>
 #include <map>
 #include <mutex>
+#include <vector>
 
 namespace s2b
 {
@@ -66,17 +67,6 @@ std::vector<Eigen::Vector3d> mainParts(const std::vector<Eigen::Vector3d>& voxel
 }
 
 }  // namespace
-
-bool KeptRegion::contains(const Eigen::Vector3f& p) const
-{
-    if (everything)
-        return true;
-    const double z = static_cast<double>(p.z());
-    if (z < zMin || z > zMax)
-        return false;
-    const Eigen::Vector2d d = p.head<2>().cast<double>() - center;
-    return std::abs(d.dot(axis)) <= half.x() && std::abs(axis.x() * d.y() - axis.y() * d.x()) <= half.y();
-}
 
 KeptRegion findDenseRegion(const CloudView& cloud, const ClutterParams& params, const Context& context)
 {

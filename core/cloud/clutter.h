@@ -4,7 +4,7 @@
 #include "core/base/context.h"
 #include "core/cloud/point_cloud.h"
 
-#include <vector>
+#include <cmath>
 
 namespace s2b
 {
@@ -30,7 +30,16 @@ struct KeptRegion
     double zMax = 0.0;
     bool everything = true;  ///< no limit at all
 
-    [[nodiscard]] bool contains(const Eigen::Vector3f& p) const;
+    /// Asked for every point, some times.
+    [[nodiscard]] bool contains(const Eigen::Vector3f& p) const
+    {
+        if (everything)
+            return true;
+        const double z = static_cast<double>(p.z());
+        const double x = static_cast<double>(p.x()) - center.x(), y = static_cast<double>(p.y()) - center.y();
+        return z >= zMin && z <= zMax && std::abs(x * axis.x() + y * axis.y()) <= half.x() &&
+               std::abs(axis.x() * y - axis.y() * x) <= half.y();
+    }
 };
 
 /// Finds the region that the building occupies: sparse voxels are clutter, and what lies outside the minimum oriented

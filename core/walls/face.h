@@ -23,6 +23,7 @@ struct Face
     double end = 0.0;
     int side = 0;               ///< +1: the room is on the side that n points to, -1: on the other, 0: unknown
     bool isBesideRoom = false;  ///< floor or ceiling was seen right beside it, on at least one side
+    bool isLow = false;         ///< ends clearly below the ceiling (a parapet): the ceiling says nothing of its sides
     double rms_m = 0.0;
     double area_m2 = 0.0;    ///< covered by cells
     double wallShare = 0.0;  ///< of its cells, those labelled wall

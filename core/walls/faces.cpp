@@ -408,9 +408,9 @@ void findSides(std::vector<Face>& faces, const PlanMask& mask, double sameOffset
     std::vector<char> isSure(faces.size(), 0);
     for (std::size_t i = 0; i < faces.size(); ++i)
     {
-        Side best = roomSide(faces[i], mask, main);
+        Side best = roomSide(faces[i], mask, faces[i].isLow ? PlanMask::Floor : main);
         // Free space on both sides is an answer too (a leaf, a panel): then the other layer is not asked.
-        if (!best.isBeside)
+        if (!best.isBeside && !faces[i].isLow)
             if (const Side other = roomSide(faces[i], mask, second);
                 best.side == 0 || (other.isBeside && other.side != 0))
                 best = other;
@@ -471,6 +471,8 @@ std::vector<Face> findFaces(const SurfaceCells& cells, const Level& level, const
         }
     std::vector<Face> faces = gather(lines, cells, level, params);
     std::erase_if(faces, [&](const Face& f) { return !isWallFace(f, cells, mask); });
+    for (Face& f : faces)
+        f.isLow = !reachesCeiling(f, mask);
     findSides(faces, mask, params.mergeOffset_m);
     std::vector<Face> kept;
     for (const Face& f : faces)

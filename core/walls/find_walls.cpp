@@ -22,6 +22,24 @@ namespace s2b
 namespace
 {
 
+const char* sourceText(ThicknessSource source)
+{
+    switch (source)
+    {
+        case ThicknessSource::Faces:
+            return "as its faces say";
+        case ThicknessSource::SameWall:
+            return "as where both of its faces were seen";
+        case ThicknessSource::Reveals:
+            return "as deep as its openings";
+        case ThicknessSource::OtherWalls:
+            return "as the other walls of its kind";
+        case ThicknessSource::Default:
+            return "the default";
+    }
+    return "";
+}
+
 /// 1 when nothing of the building was seen on exactly one side, 0 when both sides show room, -1 when it can't be said.
 int externalOf(const WallBody& body, const PlanMask& mask)
 {
@@ -86,6 +104,30 @@ std::optional<Wall> wallOf(const PlanWall& p, const std::vector<Face>& faces, do
     return w;
 }
 
+/// Drops planes of stray points. Where the scan covers its walls thinly itself (the lines of a rotating scanner), less
+/// is asked for.
+void dropGhosts(std::vector<WallBody>& bodies, const std::vector<Face>& faces, double cell_m, const WallParams& params)
+{
+    std::vector<std::pair<double, double>> shares;  // and length
+    double total = 0, sum = 0, best = 1;
+    for (const WallBody& b : bodies)
+    {
+        shares.emplace_back(seenShare(b, faces, cell_m), b.end - b.begin);
+        total += b.end - b.begin;
+    }
+    std::vector<std::pair<double, double>> sorted = shares;
+    std::sort(sorted.begin(), sorted.end());
+    for (const auto& [share, length] : sorted)
+        if ((sum += length) >= 0.8 * total)
+        {
+            best = share;
+            break;
+        }
+    const double limit = std::min(params.minimumCoverage, 0.3 * best);
+    std::size_t i = 0;
+    std::erase_if(bodies, [&](const WallBody&) { return shares[i++].first < limit; });
+}
+
 }  // namespace
 
 WallResult findWalls(const SurfaceCells& cells, const CellIndex& index, const Level& level, ElementId storey,
@@ -105,20 +147,19 @@ WallResult findWalls(const SurfaceCells& cells, const CellIndex& index, const Le
     settleArcs(arcs, bodies, level, params);
     dropWithinArcs(bodies, arcs);
     bodies = settleHeights(std::move(bodies), faces, level, mask);
-    std::erase_if(bodies,
-                  [&](const WallBody& b) { return seenShare(b, faces, cells.size_m) < params.minimumCoverage; });
+    dropGhosts(bodies, faces, cells.size_m, params);
     context.checkCancelled();
     Plan plan = connectWalls(std::move(bodies), mask, params);
     dropFreePieces(plan, params.minimumFreeLength_m);
 
-    const auto add = [&](Wall w)
+    const auto add = [&](Wall w, ThicknessSource source)
     {
         w.id = ElementId{nextId++};
         if (w.evidence.facesSeen < 2)
             result.diagnostics.push_back(
                 {Severity::Warning, "walls", "ThicknessAssumed",
-                 std::format("Only one face of the wall was seen; its thickness of {:.3f} m is assumed.",
-                             w.thickness.value_m),
+                 std::format("Only one face of the wall was seen; its thickness of {:.3f} m is assumed, {}.",
+                             w.thickness.value_m, sourceText(source)),
                  w.id, Eigen::Vector3d((w.start.x() + w.end.x()) / 2, (w.start.y() + w.end.y()) / 2, level.floor_m)});
         result.walls.push_back(std::move(w));
         return result.walls.back().id;
@@ -126,7 +167,7 @@ WallResult findWalls(const SurfaceCells& cells, const CellIndex& index, const Le
     std::vector<ElementId> idOf(plan.walls.size());
     for (std::size_t i = 0; i < plan.walls.size(); ++i)
         if (std::optional<Wall> w = wallOf(plan.walls[i], faces, cells.size_m, mask, level, storey, params))
-            idOf[i] = add(std::move(*w));
+            idOf[i] = add(std::move(*w), plan.walls[i].body.thicknessSource);
     for (const BodyJunction& j : plan.junctions)
     {
         if (idOf[j.wall].value == 0 || idOf[j.other].value == 0)
@@ -148,7 +189,7 @@ WallResult findWalls(const SurfaceCells& cells, const CellIndex& index, const Le
                     wallOf({body, body.begin, body.end}, arc->faces, cells.size_m, arc->mask, level, storey, params))
             {
                 bend(*w, arc->unrolling);
-                add(std::move(*w));
+                add(std::move(*w), body.thicknessSource);
             }
         }
     connectArcs(result.walls, result.junctions, mask, nextId, params);

@@ -50,6 +50,14 @@ std::size_t binOf(const Face& face, double s)
     return std::min(face.rows.size() - 1, static_cast<std::size_t>(std::max(0.0, (s - face.begin) / Face::kBin_m)));
 }
 
+/// Share of the place between two faces, d apart, that shows room.
+double roomBetween(const Face& low, const Face& high, double s, double d, const PlanMask& mask)
+{
+    const double inset = std::min(0.03, d / 4);
+    return mask.share(low.at(s - Face::kBin_m), low.at(s + Face::kBin_m), inset, d - inset,
+                      low.isLow && high.isLow ? PlanMask::Floor : mask.mainLayer());
+}
+
 bool isParallel(const Face& a, const Face& b)
 {
     return std::abs(a.t.x() * b.t.y() - a.t.y() * b.t.x()) < std::sin(1.0 * kDegree);
@@ -129,8 +137,7 @@ std::vector<WallBody> pairFaces(const std::vector<Face>& faces, const PlanMask& 
                     const Face& high = faces[j];
                     if (s < high.begin || s > high.end || (isSecond && paired[j][binOf(high, s)]))
                         continue;
-                    const double inset = std::min(0.03, d / 4);
-                    if (d > 0.12 && mask.freeShare(low.at(s - step), low.at(s + step), inset, d - inset) > 0.5)
+                    if (d > 0.12 && roomBetween(low, high, s, d, mask) > 0.5)
                         break;  // there is room between the two: not one wall, and nothing behind it either
                     partner[j].push_back(s);
                     break;

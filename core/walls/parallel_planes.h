@@ -10,6 +10,16 @@
 namespace s2b
 {
 
+/// What says how thick a wall is.
+enum class ThicknessSource
+{
+    Faces,       ///< both were seen
+    SameWall,    ///< a collinear piece of which both were seen
+    Reveals,     ///< the depth of its openings
+    OtherWalls,  ///< of its kind in the storey
+    Default
+};
+
 /// Body of a wall before topology: the space between two parallel faces, or behind one.
 ///
 /// In plan: t * s + n * d with s in [begin, end] and d in [low, high]; n is t turned by +90 degrees.
@@ -18,6 +28,7 @@ struct WallBody
     Eigen::Vector2d t = Eigen::Vector2d::UnitX();
     double low = 0.0, high = 0.0;
     bool lowSeen = false, highSeen = false;  ///< by a face; else assumed
+    ThicknessSource thicknessSource = ThicknessSource::Faces;
     double begin = 0.0, end = 0.0;
     double bottom = 0.0, top = 0.0;  ///< heights; set by settleHeights()
     std::vector<Eigen::Vector2d>

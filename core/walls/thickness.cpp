@@ -16,8 +16,9 @@ bool isSameLine(const WallBody& a, const WallBody& b)
     return std::abs(a.t.x() * b.t.y() - a.t.y() * b.t.x()) < 1e-6;
 }
 
-void setThickness(WallBody& b, double thickness)
+void setThickness(WallBody& b, double thickness, ThicknessSource source)
 {
+    b.thicknessSource = source;
     if (b.lowSeen)
         b.high = b.low + thickness;
     else
@@ -107,7 +108,7 @@ void settleThickness(std::vector<WallBody>& bodies, const SurfaceCells& cells, c
         }
         if (best)
         {
-            setThickness(b, best->thickness());
+            setThickness(b, best->thickness(), ThicknessSource::SameWall);
             continue;
         }
         open.push_back(&b);
@@ -141,7 +142,7 @@ void settleThickness(std::vector<WallBody>& bodies, const SurfaceCells& cells, c
         const bool outside = isExternal(*b);
         if (depth)
         {
-            setThickness(*b, std::max(*depth, params.minimumThickness_m));
+            setThickness(*b, std::max(*depth, params.minimumThickness_m), ThicknessSource::Reveals);
             if (outside)
             {
                 revealed.emplace_back(*depth, b->end - b->begin);
@@ -157,7 +158,7 @@ void settleThickness(std::vector<WallBody>& bodies, const SurfaceCells& cells, c
         deepest = std::max(deepest, depth);
     for (WallBody* b : externalRevealed)
         if (b->thickness() > 0.75 * deepest)
-            setThickness(*b, deepest);
+            setThickness(*b, deepest, ThicknessSource::Reveals);
     const double internalThickness = internal.empty() ? params.defaultThickness_m : weightedMedian(internal);
     // Without labels a reveal may end at a pane in the middle of the wall; an external wall is no thinner than the
     // others.
@@ -166,14 +167,15 @@ void settleThickness(std::vector<WallBody>& bodies, const SurfaceCells& cells, c
         deepest = std::max(deepest, internalThickness);
         for (WallBody* b : externalRevealed)
             if (b->thickness() < internalThickness)
-                setThickness(*b, internalThickness);
+                setThickness(*b, internalThickness, ThicknessSource::OtherWalls);
     }
     const double externalThickness =
         !revealed.empty() ? deepest : (internal.empty() ? params.defaultExternalThickness_m : internalThickness);
+    const auto from = [](bool isKnown) { return isKnown ? ThicknessSource::OtherWalls : ThicknessSource::Default; };
     for (WallBody* b : externalOpen)
-        setThickness(*b, externalThickness);
+        setThickness(*b, externalThickness, from(!revealed.empty() || !internal.empty()));
     for (WallBody* b : internalOpen)
-        setThickness(*b, internalThickness);
+        setThickness(*b, internalThickness, from(!internal.empty()));
 }
 
 }  // namespace s2b

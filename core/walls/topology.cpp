@@ -79,8 +79,12 @@ void absorb(WallBody& a, const WallBody& b)
     }
     else
         a.low = bKnowsMore && !a.lowSeen ? b.low : low, a.high = bKnowsMore && !a.highSeen ? b.high : high;
+    if (bKnowsMore || (!a.bothSeen() && !b.bothSeen() && lb > la))
+        a.thicknessSource = b.thicknessSource;
     a.lowSeen = a.lowSeen || b.lowSeen;
     a.highSeen = a.highSeen || b.highSeen;
+    if (a.bothSeen())
+        a.thicknessSource = ThicknessSource::Faces;
     a.begin = std::min(a.begin, b.begin);
     a.end = std::max(a.end, b.end);
     a.lowFaces.insert(a.lowFaces.end(), b.lowFaces.begin(), b.lowFaces.end());

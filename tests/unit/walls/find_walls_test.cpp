@@ -232,4 +232,27 @@ TEST(FindWalls, StopsWhenCancelled)
 }
 
 }  // namespace
+TEST(FindWalls, KeepsALowWallLow)
+{
+    HandMadeCloud cloud;
+    cloud.room({0, 0}, {6, 4});
+    // A parapet of 1.1 m within the room, 0.2 m thick.
+    cloud.wallFace({3, 1}, {3, 3}, 0, 1.1);
+    cloud.wallFace({3.2, 1}, {3.2, 3}, 0, 1.1);
+    cloud.rectangle({3, 1, 1.1}, {0.2, 0, 0}, {0, 2, 0}, Label::Wall);
+    // Nothing of the floor within it: what is seen there is room.
+    HandMadeCloud cut;
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+    {
+        const Eigen::Vector3d p = cloud.cloud().points[i].cast<double>();
+        if (!(p.z() < 0.01 && p.x() > 3 && p.x() < 3.2 && p.y() > 1 && p.y() < 3))
+            cut.point(p, cloud.cloud().labels[i]);
+    }
+    const auto result = storeyOf(cut);
+    const Wall* parapet = wallThrough(result.walls.walls, {3.1, 2}, kAlongY);
+    ASSERT_NE(parapet, nullptr);
+    EXPECT_NEAR(parapet->height.value_m, 1.1, 0.1);  // heights are read in rows of 10 cm
+    EXPECT_NEAR(parapet->thickness.value_m, 0.2, 0.001);
+}
+
 }  // namespace s2b
