@@ -18,6 +18,7 @@ namespace
 {
 
 constexpr double kRow_m = 0.10;
+constexpr double kLeastSeen = 0.06;  // share of a column's surface; one side in four, half hidden, shows twice that
 
 /// Surface seen from the top: the cells above one small square of the plan.
 struct Spot
@@ -317,9 +318,13 @@ ColumnResult findColumns(const SurfaceCells& cells, const Level& level, const st
         const double smallest = k.isRound ? largest : std::min(k.width, k.depth);
         // Without labels a thin or long thing is a panel or a piece of wall.
         const bool isSlender = !cells.hasLabels && (largest > 1.0 || smallest < 0.4 * largest);
-        if (largest > params.maximumSize_m || smallest < params.minimumSize_m || isSlender)
+        // Stray wrong labels are spread thinly over what they would make.
+        const double seen = k.weight * cells.size_m * cells.size_m /
+                            (2 * (largest + smallest) * std::max(0.1, level.ceiling_m - level.floor_m));
+        const bool isGhost = seen < kLeastSeen;
+        if (largest > params.maximumSize_m || smallest < params.minimumSize_m || isSlender || isGhost)
         {
-            if (cells.hasLabels)
+            if (cells.hasLabels && !isGhost)
                 result.diagnostics.push_back({Severity::Warning,
                                               "columns",
                                               "SizeOutOfRange",

@@ -31,6 +31,17 @@ public:
         rng_alg_.seed(static_cast<std::uint32_t>(seed ^ (seed >> 32)));
     }
 
+    /// Plane through three points that are not collinear, as PCL's coefficients; PCL's own call complains on stderr of
+    /// draws that are merely narrow.
+    [[nodiscard]] Eigen::VectorXf through(const pcl::Indices& samples) const
+    {
+        const Eigen::Vector3f a = at(samples[0]);
+        const Eigen::Vector3f n = (at(samples[1]) - a).cross(at(samples[2]) - a).normalized();
+        Eigen::VectorXf coefficients(4);
+        coefficients << n, -n.dot(a);
+        return coefficients;
+    }
+
 protected:
     [[nodiscard]] bool isSampleGood(const pcl::Indices& samples) const override
     {
@@ -60,9 +71,7 @@ pcl::Indices drawPlane(PlaneModel& model, std::size_t pointCount, const PlaneOpt
         model.getSamples(iteration, samples);
         if (samples.empty())
             break;  // a thousand draws in a row were collinear
-        Eigen::VectorXf plane;
-        if (!model.computeModelCoefficients(samples, plane))
-            continue;
+        const Eigen::VectorXf plane = model.through(samples);
         const std::size_t count = model.countWithinDistance(plane, options.tolerance_m);
         if (count <= bestCount)
             continue;
