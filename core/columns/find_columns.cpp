@@ -4,6 +4,7 @@
 #include "core/geometry/dbscan.h"
 #include "core/geometry/rectangle.h"
 #include "core/model/wall_axis.h"
+#include "core/walls/plan_mask.h"
 
 #include <algorithm>
 #include <bit>
@@ -284,6 +285,14 @@ void completeEngaged(Candidate& c, const std::vector<Wall>& walls)
     }
 }
 
+/// Floor or ceiling of the storey (whichever its mask knows better) was seen around it: not a tree, not a lamp post.
+bool standsInBuilding(const Candidate& c, const PlanMask& mask)
+{
+    const double reach = std::max(c.width, c.depth) / 2 + 0.4;
+    const Eigen::Vector2d middle = c.isRound ? c.circle->center : c.center;
+    return mask.share(middle - reach * c.x, middle + reach * c.x, -reach, reach, mask.mainLayer()) > 0.15;
+}
+
 }  // namespace
 
 ColumnResult findColumns(const SurfaceCells& cells, const Level& level, const std::vector<Wall>& walls,
@@ -292,8 +301,11 @@ ColumnResult findColumns(const SurfaceCells& cells, const Level& level, const st
     ColumnResult result;
     std::vector<Candidate> candidates = candidatesOf(cells, level, walls, params, context);
     shareRadius(candidates, params, context);
+    const PlanMask mask(cells, level);
     for (Candidate& k : candidates)
     {
+        if (!cells.hasLabels && !standsInBuilding(k, mask))
+            continue;
         if (!k.isRound)
             completeEngaged(k, walls);
         Column c;
