@@ -257,7 +257,7 @@ void shareRadius(std::vector<Candidate>& candidates, const ColumnParams& params,
 /// wide, the depth within the wall is assumed: a square section, up to the wall's other face.
 void completeEngaged(Candidate& c, const std::vector<Wall>& walls)
 {
-    constexpr double flush_m = 0.05;
+    constexpr double flush_m = 0.08;  // cells at the inner edge have no clear normal: the sides begin some cells off
     for (int side = 0; side < 4 && !c.isEngaged; ++side)
     {
         const Eigen::Vector2d y(-c.x.y(), c.x.x());

@@ -43,6 +43,7 @@ inline StoreyResult storeyOf(const HandMadeCloud& cloud, bool withLabels = true,
     result.level.floor_m = floor;
     result.level.ceiling_m = ceiling;
     result.level.ceilingSeen = true;
+    result.level.ceilings = {ceiling};
     const Context context;
     const ElementId storey{1};
     std::uint32_t nextId = 2;

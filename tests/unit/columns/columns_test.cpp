@@ -183,6 +183,34 @@ TEST(Columns, ReportASizeOutOfRange)
     EXPECT_EQ(test::countCode(r.diagnostics, "SizeOutOfRange"), 1u);
 }
 
+TEST(Columns, CompleteOneThatStandsInAWallAndSaySo)
+{
+    // Of a square of 0.4 m half stands in the wall of the hall's lower side, which is thicker than that.
+    HandMadeCloud cloud = hall();
+    cloud.wallFace({3.2, 0.5}, {3.2, 0.7}, 0.0, 2.6, Label::Column);
+    cloud.wallFace({3.2, 0.7}, {2.8, 0.7}, 0.0, 2.6, Label::Column);
+    cloud.wallFace({2.8, 0.7}, {2.8, 0.5}, 0.0, 2.6, Label::Column);
+    const ColumnResult result = storeyOf(cloud).columns;
+    ASSERT_EQ(result.columns.size(), 1u);
+    const auto& section = std::get<RectangleSection>(result.columns[0].section);
+    // The wall's own face hides how far the sides go on: a cell.
+    constexpr double cell_m = 0.02;
+    EXPECT_NEAR(section.width_m, 0.4, cell_m);
+    EXPECT_NEAR(section.depth_m, 0.4, cell_m);
+    EXPECT_NEAR(result.columns[0].center.y(), 0.5, cell_m);
+    EXPECT_EQ(result.columns[0].sectionProvenance, Provenance::Assumed);
+    EXPECT_EQ(test::countCode(result.diagnostics, "DepthAssumed"), 1u);
+}
+
+TEST(Columns, AreNotMadeOfAFewStrayLabels)
+{
+    // As many wrong labels as a column's cluster needs, spread over what would be a column of 0.3 m.
+    HandMadeCloud cloud = hall();
+    for (int i = 0; i < 60; ++i)
+        cloud.point({3.0 + 0.3 * (i % 7) / 6.0, 2.0 + 0.3 * (i % 5) / 4.0, 0.3 + 2.0 * i / 60.0}, Label::Column);
+    EXPECT_TRUE(storeyOf(cloud).columns.columns.empty());
+}
+
 TEST(Columns, AreNoneInAnEmptyHall)
 {
     EXPECT_TRUE(storeyOf(hall()).columns.columns.empty());

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// One consistent plan: what holds at corners, T and X junctions and across doorways (docs/conventions.md).
+#include "core/walls/topology.h"
+#include "core/walls/evidence.h"
 #include "core/walls/face.h"
 #include "tests/support/plan_geometry.h"
 #include "tests/support/stages.h"
@@ -225,6 +227,45 @@ TEST(Topology, MeetsAtASlant)
     EXPECT_LT(test::largestJunctionGap(walls.walls, walls.junctions), kExact);
     EXPECT_EQ(countJunctions(walls, true), 4u);
     EXPECT_LT(test::largestOverlap(walls.walls), kNoOverlap_m2);
+}
+
+TEST(Plan, DropsShortPiecesThatMeetNothing)
+{
+    const auto wall = [](double begin, double end)
+    {
+        PlanWall w;
+        w.body.begin = w.axisBegin = begin;
+        w.body.end = w.axisEnd = end;
+        return w;
+    };
+    Plan plan;
+    plan.walls = {wall(0, 0.4), wall(1, 5), wall(6, 6.4), wall(7, 7.7)};
+    plan.junctions = {{2, false, 1, 1, {}}};
+    dropFreePieces(plan, 0.6);
+    ASSERT_EQ(plan.walls.size(), 3u);  // without the first: it is short and meets none
+    EXPECT_EQ(plan.walls[0].body.end, 5);
+    EXPECT_EQ(plan.junctions[0].wall, 1u);
+    EXPECT_EQ(plan.junctions[0].other, 0u);
+}
+
+TEST(SeenShare, CountsPlacesByWhatCoversThem)
+{
+    // Of a wall of 2 m x 2 m a face covers the lower half.
+    WallBody body;
+    body.end = 2.0, body.top = 2.0, body.lowFaces = {0};
+    Face face;
+    face.end = 2.0;
+    face.rows.assign(40, 0b11'1111'1111);
+    face.area_m2 = 2.0;
+    constexpr double cell_m = 0.02;
+    EXPECT_NEAR(seenShare(body, {face}, cell_m), 0.5, 1e-9);
+    face.area_m2 = 0.07;  // a tenth of what a surface seen from afar covers
+    EXPECT_NEAR(seenShare(body, {face}, cell_m), 0.05, 1e-9);
+    // A thin scan: every other place in both directions shows a point, and cells are as large as its spacing.
+    for (std::size_t b = 0; b < face.rows.size(); ++b)
+        face.rows[b] = b % 2 ? 0 : 0b01'0101'0101;
+    face.area_m2 = 1.0;
+    EXPECT_NEAR(seenShare(body, {face}, 0.1), 0.5, 0.05);
 }
 
 }  // namespace
