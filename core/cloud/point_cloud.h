@@ -36,6 +36,8 @@ struct CloudView
     std::size_t count = 0;
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
     const std::uint8_t* labels = nullptr;  ///< values of Label, one a point; null without labels
+    const std::uint8_t* rgb = nullptr;     ///< red, green, blue of the first point; null without colours
+    std::size_t rgbStride = 3;             ///< bytes from one point's colour to the next one's
 };
 
 }  // namespace s2b

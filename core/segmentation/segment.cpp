@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/segmentation/segment.h"
+
+#include "core/base/parallel.h"
+#include "core/cloud/clutter.h"
+#include "core/cloud/frame.h"
+#include "core/cloud/surface_cells.h"
+#include "core/segmentation/inputs.h"
+#include "core/segmentation/passes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <format>
+
+namespace s2b
+{
+namespace
+{
+
+constexpr std::size_t kChunk = 1u << 16;
+
+struct CellClass
+{
+    std::uint8_t label = 0, confidence = 0;
+};
+
+/// The likeliest class of one row of scores. Columns that mean one class count together; of equally likely ones the
+/// first is taken.
+CellClass classOf(const float* scores, const ModelContract& contract)
+{
+    std::array<double, kLabelCount> probability{};
+    const std::size_t columns = contract.classes.size();
+    double sum = 0;
+    const float largest = *std::max_element(scores, scores + columns);
+    for (std::size_t k = 0; k < columns; ++k)
+    {
+        const auto s = static_cast<double>(scores[k]);
+        const double p = contract.scores == ScoreKind::Logits ? std::exp(s - static_cast<double>(largest)) : s;
+        probability[static_cast<std::size_t>(contract.classes[k])] += p;
+        sum += p;
+    }
+    const auto best = std::max_element(probability.begin(), probability.end());
+    if (!(sum > 0.0) || !std::isfinite(sum))
+        return {};
+    return {static_cast<std::uint8_t>(best - probability.begin()),
+            static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(*best / sum, 0.0, 1.0)))};
+}
+
+CellSet cellsOf(const SurfaceCells& cells, const CellDetails& details, const SegmentPass& pass)
+{
+    CellSet set;
+    set.size_m = cells.size_m, set.spacing_m = cells.spacing_m;
+    set.floor_m = pass.floor_m, set.ceiling_m = pass.ceiling_m;
+    set.cells.reserve(pass.cells.size());
+    for (const std::uint32_t i : pass.cells)
+        set.cells.push_back(cells.cells[i]);
+    if (!details.colours.empty())
+        for (const std::uint32_t i : pass.cells)
+            set.colours.push_back(details.colours[i]);
+    return set;
+}
+
+}  // namespace
+
+Segmentation segment(const CloudView& cloud, const OnnxModel& model, const SegmentParams& params,
+                     const Context& context)
+{
+    const ModelContract& contract = model.contract();
+    CloudView input = cloud;
+    input.labels = nullptr;
+    if (contract.colour == ColourUse::None)
+        input.rgb = nullptr;
+    if (input.count == 0)
+        throw Error(ErrorCode::EmptyCloud, "the cloud has no points");
+    if (contract.colour == ColourUse::Required && !input.rgb)
+        throw Error(ErrorCode::BadParameter,
+                    model.name() + ": the model needs colours and the cloud has none; use a model that works without");
+
+    context.report("Clutter", 0.0);
+    const KeptRegion region = findDenseRegion(input, {}, context);
+    context.report("Surface cells", 0.05);
+    CellDetails details;
+    CellParams cellParams;
+    cellParams.size_m = contract.cell_m;
+    SurfaceCells cells = buildSurfaceCells(input, region, cellParams, context, &details);
+    context.report("Storeys", 0.25);
+    rotateCells(cells, findDominantYaw(cells, {}));
+    const std::vector<SegmentPass> passes = planPasses(cells, params, context);
+
+    std::vector<CellClass> classes(cells.cells.size());
+    std::size_t total = 0, done = 0;
+    for (const SegmentPass& pass : passes)
+        total += pass.cells.size();
+    const auto fraction = [&](double within, const SegmentPass& pass)
+    {
+        return 0.3 + 0.65 * (static_cast<double>(done) + within * static_cast<double>(pass.cells.size())) /
+                         static_cast<double>(total);
+    };
+    for (std::size_t k = 0; k < passes.size(); ++k)
+    {
+        const SegmentPass& pass = passes[k];
+        const std::string part = passes.size() > 1 ? std::format(" ({} of {})", k + 1, passes.size()) : "";
+        context.report("Features" + part, fraction(0.0, pass));
+        const std::vector<Tensor> inputs =
+            makeInputs(contract, model.inputNames(), cellsOf(cells, details, pass), context);
+        context.report("Network" + part, fraction(0.5, pass));
+        const std::vector<float> scores = model.run(inputs, pass.cells.size(), context);
+        for (std::size_t i = 0; i < pass.inside; ++i)
+            classes[pass.cells[i]] = classOf(scores.data() + i * contract.classes.size(), contract);
+        done += pass.cells.size();
+    }
+
+    context.report("Labels", 0.95);
+    Segmentation result;
+    result.labels.resize(cloud.count);
+    result.confidence.resize(cloud.count);
+    parallelChunks(cloud.count, kChunk, context,
+                   [&](std::size_t begin, std::size_t end)
+                   {
+                       for (std::size_t i = begin; i < end; ++i)
+                       {
+                           const std::uint32_t cell = details.cellOfPoint[i];
+                           const CellClass c = cell == CellDetails::kNoCell ? CellClass{} : classes[cell];
+                           result.labels[i] = c.label;
+                           result.confidence[i] = c.confidence;
+                       }
+                   });
+    for (const std::uint8_t label : result.labels)
+        ++result.counts[label];
+    context.checkCancelled();
+    return result;
+}
+
+}  // namespace s2b
