@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "driver.h"
+
+#include <QScreen>
+#include <QTreeView>
+
+#include <map>
+
+namespace
+{
+
+std::map<QString, Scenario::Function>& scenarios()
+{
+    static std::map<QString, Scenario::Function> all;
+    return all;
+}
+
+QMenu* subMenu(const QList<QAction*>& actions, const QString& title)
+{
+    for (QAction* action : actions)
+    {
+        if (action->menu() && action->text().remove('&') == title)
+            return action->menu();
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+Scenario::Scenario(const char* name, Function function)
+{
+    scenarios()[name] = function;
+}
+
+Scenario::Function Scenario::find(const QString& name)
+{
+    const auto found = scenarios().find(name);
+    return found == scenarios().end() ? nullptr : found->second;
+}
+
+void Driver::check(bool isOk, const QString& claim)
+{
+    std::printf("%s %s\n", isOk ? "ok  " : "FAIL", qPrintable(claim));
+    std::fflush(stdout);
+    m_failures += isOk ? 0 : 1;
+}
+
+QString Driver::output(const QString& file) const
+{
+    return qEnvironmentVariable("S2B_DRIVER_OUTPUT") + "/" + file;
+}
+
+void Driver::shoot(const QString& name)
+{
+    QTest::qWait(300);
+    m_app.getMainWindow()->screen()->grabWindow(0).save(output(name + ".png"));
+}
+
+QMenu* Driver::pluginsMenu()
+{
+    return subMenu(m_app.getMainWindow()->menuBar()->actions(), "Plugins");
+}
+
+QMenu* Driver::menu()
+{
+    QMenu* plugins = pluginsMenu();
+    return plugins ? subMenu(plugins->actions(), "Scan to BIM") : nullptr;
+}
+
+QAction* Driver::action(const QString& name)
+{
+    if (auto* found = m_app.getMainWindow()->findChild<QAction*>(name))
+        return found;
+    for (QAction* action : menu()->actions())
+    {
+        if (action->objectName() == name)
+            return action;
+    }
+    return nullptr;
+}
+
+ccPointCloud* Driver::cloud()
+{
+    ccHObject::Container clouds;
+    m_app.dbRootObject()->filterChildren(clouds, true, CC_TYPES::POINT_CLOUD, true);
+    for (ccHObject* entity : clouds)
+    {
+        if (entity->getName() != "vertices")
+            return static_cast<ccPointCloud*>(entity);
+    }
+    return nullptr;
+}
+
+ccHObject* Driver::model()
+{
+    const auto walls = named<ccMesh>("Wall ");
+    return walls.empty() ? nullptr : walls.front()->getParent()->getParent()->getParent();
+}
+
+std::size_t Driver::entityCount()
+{
+    ccHObject::Container all;
+    m_app.dbRootObject()->filterChildren(all, true);
+    return all.size();
+}
+
+void Driver::unselectAll()
+{
+    const ccHObject::Container selection = m_app.getSelectedEntities();
+    for (ccHObject* entity : selection)
+        m_app.setSelectedInDB(entity, false);
+    QApplication::processEvents();
+}
+
+void Driver::select(ccHObject* entity)
+{
+    unselectAll();
+    m_app.setSelectedInDB(entity, true);
+    QApplication::processEvents();
+}
+
+void Driver::selectToo(ccHObject* entity)
+{
+    for (auto* view : m_app.getMainWindow()->findChildren<QTreeView*>())
+    {
+        if (!view->model() || view->model()->rowCount() == 0)
+            continue;
+        const QModelIndex top = view->model()->index(0, 0);
+        for (const QModelIndex& index :
+             view->model()->match(top, Qt::DisplayRole, entity->getName(), 1, Qt::MatchExactly | Qt::MatchRecursive))
+            view->selectionModel()->select(index, QItemSelectionModel::Select);
+    }
+    QApplication::processEvents();
+}
+
+void Driver::selectBoth()
+{
+    select(model());
+    selectToo(cloud());
+}
+
+void Driver::whenShown(const QString& name, const std::function<void(QWidget*)>& inside, int tries)
+{
+    QTimer::singleShot(100, this,
+                       [=, this]
+                       {
+                           QWidget* widget = QApplication::activeModalWidget();
+                           if (widget && widget->objectName() == name)
+                               inside(widget);
+                           else if (tries > 0)
+                               whenShown(name, inside, tries - 1);
+                           else
+                               check(false, name + " was shown");
+                       });
+}
+
+void Driver::press(QWidget* dialog, QDialogButtonBox::StandardButton button)
+{
+    QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(button), Qt::LeftButton);
+}
+
+void Driver::reconstructQuietly()
+{
+    select(cloud());
+    whenShown("S2BReconstructDlg",
+              [this](QWidget* dialog)
+              {
+                  dialog->findChild<QCheckBox*>("writeIfc")->setChecked(false);
+                  press(dialog, QDialogButtonBox::Ok);
+              });
+    action("S2B.Reconstruct")->trigger();
+}

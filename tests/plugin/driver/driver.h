@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the scenarios share: CloudCompare's window, driven from within as a user would. A scenario is a file of its own
+// (scenario_<what>.cpp) that registers one function under the name that S2B_DRIVER_SCENARIO gives.
+#pragma once
+
+#include <QAction>
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QProgressDialog>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QTimer>
+#include <QTreeWidget>
+#include <QtTest/QTest>
+
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <vector>
+
+#include <ccColorScale.h>
+#include <ccMainAppInterface.h>
+#include <ccMesh.h>
+#include <ccPointCloud.h>
+#include <ccScalarField.h>
+
+inline constexpr int kCancel_ms = 500;  // the promise to the user
+
+class Driver : public QObject
+{
+public:
+    explicit Driver(ccMainAppInterface& app) : m_app(app) {}
+
+    [[nodiscard]] ccMainAppInterface& app() { return m_app; }
+
+    /// One claim, said on standard output; a false one fails the test.
+    void check(bool isOk, const QString& claim);
+    [[nodiscard]] int failures() const { return m_failures; }
+
+    /// The path of an artefact that is kept.
+    [[nodiscard]] QString output(const QString& file) const;
+    /// The whole screen, as an artefact.
+    void shoot(const QString& name);
+
+    [[nodiscard]] QMenu* pluginsMenu();  ///< Plugins
+    [[nodiscard]] QMenu* menu();         ///< Plugins > Scan to BIM
+    [[nodiscard]] QAction* action(const QString& name);
+
+    /// The first cloud that is a scan; null while there is none.
+    [[nodiscard]] ccPointCloud* cloud();
+    /// The model group of the first wall; null while there is none.
+    [[nodiscard]] ccHObject* model();
+    [[nodiscard]] std::size_t entityCount();
+
+    template <typename Entity = ccHObject>
+    [[nodiscard]] std::vector<Entity*> named(const QString& start)
+    {
+        std::vector<Entity*> found;
+        ccHObject::Container all;
+        m_app.dbRootObject()->filterChildren(all, true);
+        for (ccHObject* entity : all)
+        {
+            if (entity->getName().startsWith(start) && dynamic_cast<Entity*>(entity))
+                found.push_back(static_cast<Entity*>(entity));
+        }
+        return found;
+    }
+
+    void unselectAll();
+    void select(ccHObject* entity);
+    /// Adds to the selection, with the control key held as it were.
+    void selectToo(ccHObject* entity);
+    /// The model and the cloud.
+    void selectBoth();
+
+    /// Runs `inside` as soon as a modal widget with that name is there, as a user would.
+    void whenShown(const QString& name, const std::function<void(QWidget*)>& inside, int tries = 100);
+    void press(QWidget* dialog, QDialogButtonBox::StandardButton button);
+
+    /// With the dialog's defaults and without a file.
+    void reconstructQuietly();
+
+private:
+    ccMainAppInterface& m_app;
+    int m_failures = 0;
+};
+
+/// Registers a scenario for as long as the program runs.
+class Scenario
+{
+public:
+    using Function = void (*)(Driver&);
+    Scenario(const char* name, Function function);
+    /// Null when there is none of that name.
+    [[nodiscard]] static Function find(const QString& name);
+};
