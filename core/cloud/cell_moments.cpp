@@ -30,7 +30,7 @@ CellGatherer::CellGatherer(const CloudView& cloud, const Blocks& blocks, int cel
 {
 }
 
-void CellGatherer::addPoints(std::uint32_t block, const Eigen::Vector3i& firstCell, std::uint32_t* cellOfPoint)
+void CellGatherer::addPoints(std::uint32_t block, const Eigen::Vector3i& firstCell)
 {
     for (std::uint32_t j = m_blocks.start[block]; j < m_blocks.start[block + 1]; ++j)
     {
@@ -67,11 +67,6 @@ void CellGatherer::addPoints(std::uint32_t block, const Eigen::Vector3i& firstCe
         sums.square[5] += z * z;
         if (m_cloud.labels)
             ++sums.votes[std::min<std::size_t>(m_cloud.labels[i], kLabelCount - 1)];
-        if (m_cloud.rgb)
-            for (std::size_t k = 0; k < 3; ++k)
-                sums.rgb[k] += m_cloud.rgb[m_cloud.rgbStride * i + k];
-        if (cellOfPoint)
-            cellOfPoint[i] = static_cast<std::uint32_t>(slot);
     }
 }
 
@@ -93,16 +88,12 @@ Moments CellGatherer::momentsOf(const Sums& sums) const
         m.label = static_cast<Label>(best - sums.votes.begin());
         m.labelShare = static_cast<std::uint8_t>(255.0 * *best / sums.count);
     }
-    if (m_cloud.rgb)
-        for (std::size_t k = 0; k < 3; ++k)
-            m.rgb[k] = static_cast<std::uint8_t>((sums.rgb[k] + sums.count / 2) / sums.count);
     return m;
 }
 
-std::vector<Moments> CellGatherer::gather(std::uint32_t block, const Eigen::Vector3i& firstCell,
-                                          std::uint32_t* cellOfPoint)
+std::vector<Moments> CellGatherer::gather(std::uint32_t block, const Eigen::Vector3i& firstCell)
 {
-    addPoints(block, firstCell, cellOfPoint);
+    addPoints(block, firstCell);
     for (std::size_t slot = 0; slot < m_sums.size(); ++slot)
     {
         m_sorted.push_back(static_cast<std::uint64_t>(m_sums[slot].key) << 32 | slot);
@@ -113,14 +104,6 @@ std::vector<Moments> CellGatherer::gather(std::uint32_t block, const Eigen::Vect
     cells.reserve(m_sorted.size());
     for (const std::uint64_t s : m_sorted)
         cells.push_back(momentsOf(m_sums[static_cast<std::uint32_t>(s)]));
-    if (cellOfPoint)
-    {
-        std::vector<std::uint32_t> cellOfSlot(m_sorted.size());
-        for (std::size_t c = 0; c < m_sorted.size(); ++c)
-            cellOfSlot[static_cast<std::uint32_t>(m_sorted[c])] = static_cast<std::uint32_t>(c);
-        for (std::uint32_t j = m_blocks.start[block]; j < m_blocks.start[block + 1]; ++j)
-            cellOfPoint[m_blocks.order[j]] = cellOfSlot[cellOfPoint[m_blocks.order[j]]];
-    }
     m_sums.clear();
     m_sorted.clear();
     return cells;

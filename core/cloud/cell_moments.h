@@ -19,7 +19,6 @@ struct Moments
     std::array<std::int16_t, 3> local{};  ///< cell within the block, 0..cells per block - 1
     Label label = Label::Unassigned;
     std::uint8_t labelShare = 0;
-    std::array<std::uint8_t, 3> rgb{};  ///< mean colour, where the cloud has colours
     std::uint32_t count = 0;
     std::array<float, 3> sum{};     ///< of positions relative to the cell's centre, in cells
     std::array<float, 6> square{};  ///< xx xy xz yy yz zz
@@ -32,9 +31,7 @@ public:
     CellGatherer(const CloudView& cloud, const Blocks& blocks, int cellsPerBlock);
 
     /// Cells of one block, sorted by (z, y, x). Independent of the order of the points.
-    /// @param cellOfPoint  where not null: filled in for the block's points, with indices into the result.
-    [[nodiscard]] std::vector<Moments> gather(std::uint32_t block, const Eigen::Vector3i& firstCell,
-                                              std::uint32_t* cellOfPoint = nullptr);
+    [[nodiscard]] std::vector<Moments> gather(std::uint32_t block, const Eigen::Vector3i& firstCell);
 
 private:
     /// Whole numbers: a sum of them is the same in any order.
@@ -45,9 +42,8 @@ private:
         std::array<std::int64_t, 3> sum{};
         std::array<std::int64_t, 6> square{};
         std::array<std::uint32_t, kLabelCount> votes{};
-        std::array<std::uint64_t, 3> rgb{};
     };
-    void addPoints(std::uint32_t block, const Eigen::Vector3i& firstCell, std::uint32_t* cellOfPoint);
+    void addPoints(std::uint32_t block, const Eigen::Vector3i& firstCell);
     [[nodiscard]] Moments momentsOf(const Sums& sums) const;
 
     const CloudView& m_cloud;

@@ -108,30 +108,10 @@ private:
     std::vector<std::size_t> m_set;
 };
 
-/// The cells' colours; indices within each block become indices within all cells.
-void addDetails(const CloudView& cloud, const Blocks& blocks, const std::vector<std::vector<Moments>>& moments,
-                const std::vector<std::size_t>& firstOut, CellDetails& details, const Context& context)
-{
-    details.colours.resize(cloud.rgb ? firstOut.back() : 0);
-    parallelChunks(moments.size(), 16, context,
-                   [&](std::size_t begin, std::size_t end)
-                   {
-                       for (std::size_t k = begin; k < end; ++k)
-                       {
-                           const std::uint32_t b = blocks.occupied[k];
-                           for (std::uint32_t j = blocks.start[b]; j < blocks.start[b + 1]; ++j)
-                               details.cellOfPoint[blocks.order[j]] += static_cast<std::uint32_t>(firstOut[k]);
-                           for (std::size_t c = 0; cloud.rgb && c < moments[k].size(); ++c)
-                               details.colours[firstOut[k] + c] = moments[k][c].rgb;
-                       }
-                   });
-    context.checkCancelled();
-}
-
 }  // namespace
 
 SurfaceCells buildSurfaceCells(const CloudView& cloud, const KeptRegion& region, const CellParams& params,
-                               const Context& context, CellDetails* details)
+                               const Context& context)
 {
     if (cloud.count == 0)
         throw Error(ErrorCode::EmptyCloud, "the cloud has no points");
@@ -161,27 +141,19 @@ SurfaceCells buildSurfaceCells(const CloudView& cloud, const KeptRegion& region,
     const auto firstCell = [&](std::uint32_t b) -> Eigen::Vector3i
     { return (coordinates(b) + blocks.low.matrix()) * cellsPerBlock; };
 
-    std::uint32_t* cellOfPoint = nullptr;
-    if (details)
-    {
-        details->cellOfPoint.assign(cloud.count, CellDetails::kNoCell);
-        cellOfPoint = details->cellOfPoint.data();
-    }
     parallelChunks(blockCount, 16, context,
                    [&](std::size_t begin, std::size_t end)
                    {
                        CellGatherer gatherer(cloud, blocks, cellsPerBlock);
                        for (std::size_t k = begin; k < end; ++k)
-                           moments[k] = gatherer.gather(blocks.occupied[k], firstCell(blocks.occupied[k]), cellOfPoint);
+                           moments[k] = gatherer.gather(blocks.occupied[k], firstCell(blocks.occupied[k]));
                    });
     context.checkCancelled();
+    blocks.order = {};
 
     std::vector<std::size_t> firstOut(blockCount + 1, 0);
     for (std::size_t k = 0; k < blockCount; ++k)
         firstOut[k + 1] = firstOut[k] + moments[k].size();
-    if (details)
-        addDetails(cloud, blocks, moments, firstOut, *details, context);
-    blocks.order = {};
     result.cells.resize(firstOut[blockCount]);
 
     const auto normalsOfBlock = [&](std::size_t k, Neighbourhood& around)

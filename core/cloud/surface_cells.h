@@ -7,7 +7,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -41,23 +40,14 @@ struct SurfaceCells
     std::vector<SurfaceCell> cells;
 };
 
-/// What else the pass over the points can give.
-struct CellDetails
-{
-    static constexpr std::uint32_t kNoCell = 0xffffffff;
-    std::vector<std::array<std::uint8_t, 3>> colours;  ///< mean red, green, blue by cell; empty without colours
-    std::vector<std::uint32_t> cellOfPoint;            ///< by point; kNoCell outside the region
-};
-
 /// Sorts the points into surface cells: the only pass over all points. Normals come from the moments of a cell and its
 /// 26 neighbours (D3.6, 3.4.1 uses k nearest neighbours).
 ///
 /// The cell size adapts to the cloud: at least `spacingsPerCell` point spacings, so that a neighbourhood always holds
 /// enough points, and never so large that both faces of a thin wall fall into one.
 /// @throws Error{BadCoordinates} at the first point that is not finite, Error{EmptyCloud} when none is in `region`.
-/// @param details  where not null: filled in, for another 4 bytes a point and 3 a cell.
 /// Cost: O(N). Memory: 4 bytes a point and about 80 bytes a cell. Independent of the point order and of the threads.
 [[nodiscard]] SurfaceCells buildSurfaceCells(const CloudView& cloud, const KeptRegion& region, const CellParams& params,
-                                             const Context& context, CellDetails* details = nullptr);
+                                             const Context& context);
 
 }  // namespace s2b

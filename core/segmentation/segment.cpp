@@ -7,6 +7,7 @@
 #include "core/cloud/surface_cells.h"
 #include "core/segmentation/inputs.h"
 #include "core/segmentation/passes.h"
+#include "core/segmentation/point_cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +47,8 @@ CellClass classOf(const float* scores, const ModelContract& contract)
             static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(*best / sum, 0.0, 1.0)))};
 }
 
-CellSet cellsOf(const SurfaceCells& cells, const CellDetails& details, const SegmentPass& pass)
+CellSet cellsOf(const SurfaceCells& cells, const std::vector<std::array<std::uint8_t, 3>>& colours,
+                const SegmentPass& pass)
 {
     CellSet set;
     set.size_m = cells.size_m, set.spacing_m = cells.spacing_m;
@@ -54,9 +56,9 @@ CellSet cellsOf(const SurfaceCells& cells, const CellDetails& details, const Seg
     set.cells.reserve(pass.cells.size());
     for (const std::uint32_t i : pass.cells)
         set.cells.push_back(cells.cells[i]);
-    if (!details.colours.empty())
+    if (!colours.empty())
         for (const std::uint32_t i : pass.cells)
-            set.colours.push_back(details.colours[i]);
+            set.colours.push_back(colours[i]);
     return set;
 }
 
@@ -79,10 +81,14 @@ Segmentation segment(const CloudView& cloud, const OnnxModel& model, const Segme
     context.report("Clutter", 0.0);
     const KeptRegion region = findDenseRegion(input, {}, context);
     context.report("Surface cells", 0.05);
-    CellDetails details;
     CellParams cellParams;
     cellParams.size_m = contract.cell_m;
-    SurfaceCells cells = buildSurfaceCells(input, region, cellParams, context, &details);
+    SurfaceCells cells = buildSurfaceCells(input, region, cellParams, context);
+    context.report("Points of the cells", 0.2);
+    const PointCells points = findPointCells(input, cells, context);
+    std::vector<std::array<std::uint8_t, 3>> colours;
+    if (input.rgb)
+        colours = cellColours(input, points, cells.cells.size(), context);
     context.report("Storeys", 0.25);
     rotateCells(cells, findDominantYaw(cells, {}));
     const std::vector<SegmentPass> passes = planPasses(cells, params, context);
@@ -102,7 +108,7 @@ Segmentation segment(const CloudView& cloud, const OnnxModel& model, const Segme
         const std::string part = passes.size() > 1 ? std::format(" ({} of {})", k + 1, passes.size()) : "";
         context.report("Features" + part, fraction(0.0, pass));
         const std::vector<Tensor> inputs =
-            makeInputs(contract, model.inputNames(), cellsOf(cells, details, pass), context);
+            makeInputs(contract, model.inputNames(), cellsOf(cells, colours, pass), context);
         context.report("Network" + part, fraction(0.5, pass));
         const std::vector<float> scores = model.run(inputs, pass.cells.size(), context);
         for (std::size_t i = 0; i < pass.inside; ++i)
@@ -119,8 +125,8 @@ Segmentation segment(const CloudView& cloud, const OnnxModel& model, const Segme
                    {
                        for (std::size_t i = begin; i < end; ++i)
                        {
-                           const std::uint32_t cell = details.cellOfPoint[i];
-                           const CellClass c = cell == CellDetails::kNoCell ? CellClass{} : classes[cell];
+                           const std::uint32_t cell = points.cellOfPoint[i];
+                           const CellClass c = cell == PointCells::kNone ? CellClass{} : classes[cell];
                            result.labels[i] = c.label;
                            result.confidence[i] = c.confidence;
                        }

@@ -24,7 +24,8 @@ struct Segmentation
 struct SegmentParams
 {
     std::size_t largestPass = 1500000;  ///< cells that the model sees at once; a larger storey is cut into tiles
-    double overlap_m = 2.0;             ///< seen around a tile, and thrown away
+    double largestTile_m = 48.0;        ///< a longer one too, however few its cells: a plan has pixels everywhere
+    double overlap_m = 3.0;             ///< seen around a tile, and thrown away
     bool operator==(const SegmentParams&) const = default;
 };
 
