@@ -45,8 +45,7 @@ void addTiles(const SurfaceCells& cells, const std::vector<std::uint32_t>& store
     const Eigen::Vector2f size = box.high - box.low;
     const auto reach = static_cast<float>(params.overlap_m);
     // Tiles no wider than what is seen around them would cost more than they save.
-    const bool isLarge =
-        own.size() > params.largestPass || static_cast<double>(size.maxCoeff()) > params.largestTile_m;
+    const bool isLarge = own.size() > params.largestPass || static_cast<double>(size.maxCoeff()) > params.largestTile_m;
     if (isLarge && size.maxCoeff() > 4.0f * reach)
     {
         const Eigen::Index axis = size.x() >= size.y() ? 0 : 1;
