@@ -3,6 +3,7 @@
 #include "tests/simulator/random.h"
 #include "tests/simulator/scene.h"
 #include "tests/simulator/triangulate.h"
+#include "tests/simulator/variety.h"
 #include "tests/simulator/wall_mesh.h"
 
 #include <algorithm>
@@ -112,7 +113,10 @@ Scene makeScene(const SimulatedBuilding& simulated, std::uint64_t seed)
             const std::uint32_t filling = add(isDoor ? "IfcDoor" : "IfcWindow", isDoor ? "door-" : "window-",
                                               opening->id, wall.storey, isDoor ? Label::Door : Label::Window);
             scene.elements[filling].host = scene.elements[element].guid;
-            if (isDoor)
+            if (simulated.hasVariedFittings)
+                (isDoor ? addVariedDoor : addVariedWindow)(scene, wall, *opening, filling, seed,
+                                                           Random{seed, 0xd005, opening->id.value});
+            else if (isDoor)
                 addDoorMesh(scene, wall, *opening, filling,
                             Random{seed, 0xd004, opening->id.value}.uniform(30.0, 90.0));
             else

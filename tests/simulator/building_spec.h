@@ -69,6 +69,9 @@ struct BuildingSpec
     bool suspendedCeilings = false;  ///< in the corridor and some rooms, 0.25 to 0.4 m below the slab
     bool stairs = false;             ///< a flight of stairs and the hole above it
     bool trees = true;               ///< exterior clutter: ground and trees
+    double groundLevel_m = -0.15;    ///< of the ground outside, above the lowest floor
+    bool varied = false;       ///< doors, windows, furniture and structure of many makes (variety.h), as training data
+    bool pitchedRoof = false;  ///< instead of the flat one, where the facades are square
 };
 
 /// One room of exactly this clear size and nothing else in it: no door, window, column, furniture. Walls 0.30 m.
@@ -106,6 +109,7 @@ struct SimulatedBuilding
 {
     Building truth;
     std::vector<Prop> props;
+    bool hasVariedFittings = false;  ///< doors and windows of many makes
 };
 
 /// Builds what the spec says. The same spec gives the same building.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/simulator/layout.h"
+#include "tests/simulator/variety.h"
 
 #include <algorithm>
 #include <cmath>
@@ -193,6 +194,12 @@ void addColumns(const BuildingSpec& spec, StoreyPlan& plan)
 
 void fitOut(const BuildingSpec& spec, StoreyPlan& plan)
 {
+    if (spec.varied)
+    {
+        addVariedOpenings(spec, plan);
+        addColumns(spec, plan);
+        return;
+    }
     if (spec.doors)
         addDoors(spec, plan);
     if (spec.plainOpenings)

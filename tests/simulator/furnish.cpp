@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/simulator/layout.h"
+#include "tests/simulator/piece.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,36 +11,6 @@ namespace s2b::sim
 
 namespace
 {
-
-using Colour = std::array<std::uint8_t, 3>;
-const std::vector<Colour> kColours{{120, 85, 60},   {200, 195, 190}, {70, 80, 95},
-                                   {160, 140, 110}, {60, 100, 120},  {175, 60, 50}};
-
-/// Boxes given in a piece's own frame: x along its width, y away from the wall, z up; origin on the floor in its
-/// middle.
-class Piece
-{
-public:
-    Piece(std::string kind, const Eigen::Vector2d& at, double floor_m, double yaw_rad, int storey, const Colour& colour)
-        : m_at(at.x(), at.y(), floor_m), m_yaw(yaw_rad)
-    {
-        m_prop.kind = std::move(kind);
-        m_prop.storey = storey;
-        m_prop.colour = colour;
-    }
-    void box(double x, double y, double z, double halfX, double halfY, double halfZ)
-    {
-        const double c = std::cos(m_yaw);
-        const double s = std::sin(m_yaw);
-        m_prop.boxes.push_back({m_at + Eigen::Vector3d(c * x - s * y, s * x + c * y, z), {halfX, halfY, halfZ}, m_yaw});
-    }
-    Prop take() { return std::move(m_prop); }
-
-private:
-    Eigen::Vector3d m_at;
-    double m_yaw;
-    Prop m_prop;
-};
 
 Prop table(Piece piece, double width, double depth)
 {
@@ -122,7 +93,7 @@ std::vector<Prop> furnish(const BuildingSpec& spec, const StoreyPlan& plan)
         int placed = 0;
         for (int attempt = 0; attempt < target * 12 && placed < target; ++attempt)
         {
-            const Colour colour = random.pick(kColours);
+            const Colour colour = random.pick(pieceColours());
             const double draw = random.uniform();
             if (draw < 0.6 || room.kind != RoomKind::Office)
             {
@@ -174,7 +145,7 @@ std::vector<Prop> furnish(const BuildingSpec& spec, const StoreyPlan& plan)
                         props.push_back(
                             chair(Piece("chair", at + n * (side * (depth / 2.0 + 0.15)), floor,
                                         yaw + (side < 0.0 ? 0.0 : std::numbers::pi) + 0.3 * random.gaussian(), storey,
-                                        random.pick(kColours))));
+                                        random.pick(pieceColours()))));
                 }
                 taken.push_back({at, std::hypot(width, depth) / 2.0 + 0.3});
                 ++placed;

@@ -2,6 +2,7 @@
 #include "core/base/error.h"
 #include "tests/simulator/building_spec.h"
 #include "tests/simulator/layout.h"
+#include "tests/simulator/variety.h"
 
 #include <cmath>
 #include <numbers>
@@ -124,9 +125,20 @@ SimulatedBuilding makeBuilding(const BuildingSpec& spec)
         if (spec.furniture)
             for (Prop& prop : furnish(spec, plan))
                 result.props.push_back(std::move(prop));
+        if (spec.varied)
+        {
+            for (Prop& prop : addVariedStructure(spec, plan))
+                result.props.push_back(std::move(prop));
+            if (spec.furniture)
+                for (Prop& prop : furnishVaried(spec, plan, result.props))
+                    result.props.push_back(std::move(prop));
+        }
     }
     addSlab(building, nextId, building.storeys.size() - 1, SlabKind::Roof, outline,
             building.storeys.back().elevation_m + storeyHeight, shell.slab_m);
+    result.hasVariedFittings = spec.varied;
+    if (spec.pitchedRoof)
+        pitchRoof(spec, result);
     if (spec.trees)
     {
         Eigen::Vector2d low = outline.front();
@@ -136,7 +148,7 @@ SimulatedBuilding makeBuilding(const BuildingSpec& spec)
             low = low.cwiseMin(p);
             high = high.cwiseMax(p);
         }
-        for (Prop& prop : makeSurroundings(spec.seed, low, high, -0.15))
+        for (Prop& prop : makeSurroundings(spec.seed, low, high, spec.groundLevel_m))
             result.props.push_back(std::move(prop));
     }
     return result;

@@ -6,6 +6,7 @@
 #include "tests/simulator/scanner.h"
 #include "tests/simulator/survey_io.h"
 #include "tests/simulator/truth_json.h"
+#include "tests/simulator/variety.h"
 
 #include <CLI/CLI.hpp>
 
@@ -36,6 +37,7 @@ struct Options
     std::optional<std::array<double, 3>> origin;
     std::vector<std::string> without;
     bool outside = false;
+    bool variety = false;
     BuildingSpec spec;
     ScanSettings scan;
 
@@ -104,6 +106,10 @@ void addOptions(CLI::App& app, Options& o)
     app.add_flag("--curved-facade", o.spec.curvedFacade, "the end facade as an arc")->group(kBuilding);
     app.add_flag("--suspended-ceilings", o.spec.suspendedCeilings)->group(kBuilding);
     app.add_flag("--stairs", o.spec.stairs)->group(kBuilding);
+    app.add_flag("--variety", o.variety,
+                 "draw the kind of building, its fittings, furniture and structure, the scanner and its stations from "
+                 "the seed: training data. Other options override what is drawn")
+        ->group(kBuilding);
     std::string names;
     for (const auto& [name, member] : features())
         names += (names.empty() ? "" : ", ") + name;
@@ -202,6 +208,16 @@ int main(int argc, char** argv)
     try
     {
         app.parse(argc, argv);
+        if (options.variety)
+        {
+            // Drawn first; what is given on the command line then overrides the draw.
+            const Variety variety = drawVariety(options.scan.seed);
+            options.spec = variety.spec;
+            options.scan = variety.scan;
+            options.outside = variety.outside;
+            app.clear();
+            app.parse(argc, argv);
+        }
         refuseBuildingOptions(app, options);
         return run(options);
     }

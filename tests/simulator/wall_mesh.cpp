@@ -2,6 +2,7 @@
 #include "tests/simulator/wall_mesh.h"
 
 #include "tests/simulator/axis_curve.h"
+#include "tests/simulator/opening_frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,6 @@ namespace
 {
 
 constexpr double kFrame_m = 0.05;       ///< width of a frame's profile
-constexpr double kLeaf_m = 0.04;        ///< thickness of a door leaf
 constexpr double kArchitrave_m = 0.06;  ///< width of the board round a door, on the wall's face
 constexpr double kArchitraveDepth_m = 0.012;
 constexpr double kSame_m = 1e-6;
@@ -64,56 +64,6 @@ void sortUnique(std::vector<double>& values)
 struct Hole
 {
     double s0, s1, z0, z1;
-};
-
-/// Boxes in the frame of an opening: x along the wall from its lower-left corner, y to the left, z up from its sill.
-class OpeningFrame
-{
-public:
-    OpeningFrame(Scene& scene, const Wall& wall, const Opening& opening, const Surface& surface)
-        : m_scene(scene), m_surface(surface)
-    {
-        const AxisCurve curve(wall);
-        const double middle = opening.offset_m + opening.width.value_m / 2.0;
-        m_u = curve.direction(middle);
-        m_n = curve.normal(middle);
-        m_origin = curve.at(middle) - m_u * (opening.width.value_m / 2.0);
-        m_z = wall.base_m + opening.sill.value_m;
-    }
-    [[nodiscard]] Eigen::Vector3d at(double x, double y, double z) const
-    {
-        const Eigen::Vector2d p = m_origin + m_u * x + m_n * y;
-        return {p.x(), p.y(), m_z + z};
-    }
-    /// From (x0, y0, z0) to (x1, y1, z1).
-    void box(double x0, double x1, double y0, double y1, double z0, double z1) const
-    {
-        m_scene.addBox({at((x0 + x1) / 2, (y0 + y1) / 2, (z0 + z1) / 2),
-                        {(x1 - x0) / 2, (y1 - y0) / 2, (z1 - z0) / 2},
-                        std::atan2(m_u.y(), m_u.x())},
-                       m_surface);
-    }
-    /// A leaf from its hinge: direction in the opening's x, y.
-    void leaf(double x, double y, const Eigen::Vector2d& direction, double width, double z0, double z1) const
-    {
-        const Eigen::Vector2d d = m_u * direction.x() + m_n * direction.y();
-        const double yaw = std::atan2(d.y(), d.x());
-        m_scene.addBox({at(x + direction.x() * width / 2.0, y + direction.y() * width / 2.0, (z0 + z1) / 2.0),
-                        {width / 2.0, kLeaf_m / 2.0, (z1 - z0) / 2.0},
-                        yaw},
-                       m_surface);
-        // The handle, on both faces.
-        m_scene.addBox({at(x + direction.x() * (width - 0.12), y + direction.y() * (width - 0.12), 1.05),
-                        {0.06, 0.055, 0.01},
-                        yaw},
-                       m_surface);
-    }
-
-private:
-    Scene& m_scene;
-    Surface m_surface;
-    Eigen::Vector2d m_origin, m_u, m_n;
-    double m_z = 0.0;
 };
 
 }  // namespace
@@ -213,6 +163,7 @@ void addDoorMesh(Scene& scene, const Wall& wall, const Opening& opening, std::ui
     const bool isDouble = opening.leaves == 2;
     const double width = (w - 2.0 * kFrame_m) / (isDouble ? 2.0 : 1.0);
     const double side = opening.opensToLeft ? 1.0 : -1.0;
+    constexpr double kLeaf_m = OpeningFrame::kLeaf_m;
     const double y = side * (h - kLeaf_m / 2.0);
     const double angle = opening.leafState == LeafState::Open ? angle_deg * std::numbers::pi / 180.0 : 0.0;
     const auto leaf = [&](bool hingeAtStart)
