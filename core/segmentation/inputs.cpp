@@ -2,10 +2,13 @@
 #include "core/segmentation/inputs.h"
 
 #include "core/base/parallel.h"
+#include "core/segmentation/plan.h"
+#include "core/segmentation/wall_planes.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace s2b
 {
@@ -14,12 +17,27 @@ namespace
 
 constexpr std::size_t kChunk = 1u << 14;
 
-constexpr std::array<FeatureInfo, 10> kFeatures = {{
+constexpr std::array<FeatureInfo, 24> kFeatures = {{
+    {"normal_x", "1", "|x| of the surface's normal in the building's frame, 0 where it has none"},
+    {"normal_y", "1", "|y| of the same"},
     {"normal_z", "1", "how level the surface is: |z| of its normal, 0 where it has none"},
     {"has_normal", "1", "1 where the surface has a normal"},
     {"flatness", "m", "RMS distance of the neighbourhood from its plane"},
     {"height", "m", "above the storey's floor"},
     {"depth", "m", "below the storey's ceiling"},
+    {"pixel_x", "1", "x within the plan's pixel, from its centre, in pixels; 0 without a plan"},
+    {"pixel_y", "1", "y of the same"},
+    {"bin_z", "1", "z within the plan's height bin, from its middle, in bins, at most 1; 0 without a plan"},
+    {"plane_offset", "0.1 m",
+     "distance from the strongest parallel plane within 0.3 m; all plane_ are 0 if not upright"},
+    {"plane_strength", "1", "area of that plane, relative to its window"},
+    {"plane_own", "1", "the same of the plane that the cell lies in"},
+    {"plane_upper_offset", "0.1 m", "plane_offset, of planes more than 2.15 m above the floor"},
+    {"plane_upper_strength", "1", "plane_strength of the same"},
+    {"plane_run_up", "m", "how far the surface goes on without a gap above the cell"},
+    {"plane_run_down", "m", "the same below"},
+    {"plane_top", "m", "distance of the surface's highest point from the ceiling, at the cell's place"},
+    {"plane_bottom", "m", "distance of its lowest point from the floor"},
     {"points", "1", "logarithm of the number of points in the cell"},
     {"has_colour", "1", "1 where the cloud has colours"},
     {"red", "1", "0 to 1; 0.5 without colours", true},
@@ -27,110 +45,87 @@ constexpr std::array<FeatureInfo, 10> kFeatures = {{
     {"blue", "1", "0 to 1; 0.5 without colours", true},
 }};
 
-constexpr std::array<FeatureInfo, 2> kPlanChannels = {{
-    {"cells", "1", "logarithm of 1 + the number of cells in the bin"},
-    {"upright", "1", "share of the bin's cells that are upright surfaces"},
-}};
-
-float featureOf(std::size_t feature, const CellSet& set, std::size_t i)
+float featureOf(std::size_t feature, const CellSet& set, std::size_t i, const PlanPlace& place, const WallPlane& plane)
 {
     const SurfaceCell& c = set.cells[i];
     switch (feature)
     {
         case 0:
-            return std::abs(c.normal.z());
+            return std::abs(c.normal.x());
         case 1:
-            return c.normal.isZero() ? 0.0f : 1.0f;
+            return std::abs(c.normal.y());
         case 2:
-            return c.flatness;
+            return std::abs(c.normal.z());
         case 3:
-            return static_cast<float>(static_cast<double>(c.position.z()) - set.floor_m);
+            return c.normal.isZero() ? 0.0f : 1.0f;
         case 4:
-            return static_cast<float>(set.ceiling_m - static_cast<double>(c.position.z()));
+            return c.flatness;
         case 5:
-            return std::log1p(static_cast<float>(c.count));
+            return static_cast<float>(static_cast<double>(c.position.z()) - set.floor_m);
         case 6:
+            return static_cast<float>(set.ceiling_m - static_cast<double>(c.position.z()));
+        case 7:
+            return place.dx;
+        case 8:
+            return place.dy;
+        case 9:
+            return place.dz;
+        case 10:
+            return plane.offset;
+        case 11:
+            return plane.strength;
+        case 12:
+            return plane.own;
+        case 13:
+            return plane.upperOffset;
+        case 14:
+            return plane.upperStrength;
+        case 15:
+            return plane.runUp;
+        case 16:
+            return plane.runDown;
+        case 17:
+            return plane.top;
+        case 18:
+            return plane.bottom;
+        case 19:
+            return std::log1p(static_cast<float>(c.count));
+        case 20:
             return set.colours.empty() ? 0.0f : 1.0f;
         default:
-            return set.colours.empty() ? 0.5f : static_cast<float>(set.colours[i][feature - 7]) / 255.0f;
+            return set.colours.empty() ? 0.5f : static_cast<float>(set.colours[i][feature - 21]) / 255.0f;
     }
 }
 
-Tensor cellTensor(const ModelContract& contract, const CellSet& set, const Context& context)
+Tensor cellTensor(const ModelContract& contract, const CellSet& set, const std::optional<PlanGrid>& grid,
+                  const Context& context)
 {
     std::vector<std::size_t> features;
     for (const std::string& name : contract.features)
         features.push_back(
             static_cast<std::size_t>(std::ranges::find(kFeatures, name, &FeatureInfo::name) - kFeatures.begin()));
+    std::vector<WallPlane> planes;
+    if (std::ranges::any_of(contract.features, [](const std::string& f) { return f.starts_with("plane_"); }))
+        planes = findWallPlanes(set, context);
     std::vector<float> values(set.cells.size() * features.size());
     parallelChunks(set.cells.size(), kChunk, context,
                    [&](std::size_t begin, std::size_t end)
                    {
                        std::size_t out = begin * features.size();
                        for (std::size_t i = begin; i < end; ++i)
+                       {
+                           const PlanPlace place = grid ? grid->place(set.cells[i]) : PlanPlace{};
+                           const WallPlane plane = planes.empty() ? WallPlane{} : planes[i];
                            for (std::size_t k = 0; k < features.size(); ++k)
                            {
-                               const float v = featureOf(features[k], set, i);
+                               const float v = featureOf(features[k], set, i, place, plane);
                                values[out++] = contract.mean.empty() ? v : (v - contract.mean[k]) / contract.scale[k];
                            }
+                       }
                    });
     return {"cells",
             {static_cast<std::int64_t>(set.cells.size()), static_cast<std::int64_t>(features.size())},
             std::move(values)};
-}
-
-/// The plan's pixels and height bins.
-struct PlanGrid
-{
-    double low_x = 0, low_y = 0, low_z = 0;
-    std::int64_t width = 0, height = 0;
-    const PlanContract& plan;
-
-    PlanGrid(const PlanContract& p, const CellSet& set) : plan(p)
-    {
-        Eigen::Vector2d low = set.cells.front().position.head<2>().cast<double>(), high = low;
-        for (const SurfaceCell& c : set.cells)
-        {
-            low = low.cwiseMin(c.position.head<2>().cast<double>());
-            high = high.cwiseMax(c.position.head<2>().cast<double>());
-        }
-        low_x = low.x(), low_y = low.y(), low_z = set.floor_m + p.low_m;
-        const auto size = [&](double extent)
-        {
-            const auto pixels = static_cast<std::int64_t>(extent / p.pixel_m) + 1;
-            return (pixels + p.multiple - 1) / p.multiple * p.multiple;
-        };
-        width = size(high.x() - low.x()), height = size(high.y() - low.y());
-    }
-    [[nodiscard]] std::int64_t pixel(const SurfaceCell& c) const
-    {
-        const auto x = static_cast<std::int64_t>((static_cast<double>(c.position.x()) - low_x) / plan.pixel_m);
-        const auto y = static_cast<std::int64_t>((static_cast<double>(c.position.y()) - low_y) / plan.pixel_m);
-        return y * width + x;
-    }
-    [[nodiscard]] std::int64_t bin(const SurfaceCell& c) const
-    {
-        const double b = std::floor((static_cast<double>(c.position.z()) - low_z) / plan.bin_m);
-        return static_cast<std::int64_t>(std::clamp(b, 0.0, static_cast<double>(plan.bins - 1)));
-    }
-};
-
-Tensor planTensor(const PlanGrid& grid, const CellSet& set)
-{
-    const std::int64_t pixels = grid.width * grid.height, bins = grid.plan.bins;
-    std::vector<float> count(static_cast<std::size_t>(bins * pixels)), upright(count.size());
-    for (const SurfaceCell& c : set.cells)
-    {
-        const auto at = static_cast<std::size_t>(grid.bin(c) * pixels + grid.pixel(c));
-        count[at] += 1.0f;
-        upright[at] += !c.normal.isZero() && std::abs(c.normal.z()) < 0.3f ? 1.0f : 0.0f;
-    }
-    std::vector<float> values;
-    for (const std::string& channel : grid.plan.channels)
-        for (std::size_t k = 0; k < count.size(); ++k)
-            values.push_back(channel == "cells" ? std::log1p(count[k]) : upright[k] / std::max(count[k], 1.0f));
-    const auto layers = static_cast<std::int64_t>(grid.plan.channels.size()) * bins;
-    return {"plan", {1, layers, grid.height, grid.width}, std::move(values)};
 }
 
 }  // namespace
@@ -138,11 +133,6 @@ Tensor planTensor(const PlanGrid& grid, const CellSet& set)
 std::span<const FeatureInfo> knownFeatures()
 {
     return kFeatures;
-}
-
-std::span<const FeatureInfo> knownPlanChannels()
-{
-    return kPlanChannels;
 }
 
 std::vector<TensorSpec> inputSpecs(const ModelContract& contract)
@@ -166,24 +156,29 @@ std::vector<TensorSpec> inputSpecs(const ModelContract& contract)
 std::vector<Tensor> makeInputs(const ModelContract& contract, std::span<const std::string> names, const CellSet& set,
                                const Context& context)
 {
+    std::optional<PlanGrid> grid;
+    if (contract.plan.isUsed())
+        grid.emplace(contract.plan, set);
     std::vector<Tensor> tensors;
     for (const std::string& name : names)
     {
         if (name == "cells")
         {
-            tensors.push_back(cellTensor(contract, set, context));
+            tensors.push_back(cellTensor(contract, set, grid, context));
             continue;
         }
-        const PlanGrid grid(contract.plan, set);
         if (name == "plan")
         {
-            tensors.push_back(planTensor(grid, set));
+            tensors.push_back(planTensor(*grid, contract.plan, set, context));
             continue;
         }
         std::vector<std::int64_t> at;
         at.reserve(set.cells.size());
         for (const SurfaceCell& c : set.cells)
-            at.push_back(name == "pixel" ? grid.pixel(c) : grid.bin(c));
+        {
+            const PlanPlace p = grid->place(c);
+            at.push_back(name == "pixel" ? p.y * grid->width() + p.x : p.bin);
+        }
         tensors.push_back({name, {static_cast<std::int64_t>(at.size())}, std::move(at)});
     }
     return tensors;

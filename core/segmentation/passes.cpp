@@ -91,7 +91,13 @@ std::vector<SegmentPass> planPasses(const SurfaceCells& cells, const SegmentPara
     }
     std::vector<double> tops;
     for (std::size_t i = 0; i + 1 < levels.levels.size(); ++i)
-        tops.push_back(std::min(levels.levels[i].ceilingLimit_m, levels.levels[i + 1].floor_m - kBelowFloor_m));
+    {
+        const Level& level = levels.levels[i];
+        const double floor = levels.levels[i + 1].floor_m, ceiling = level.highestCeiling_m();
+        // Through the middle of the slab: of a thin one both surfaces are within centimetres.
+        tops.push_back(level.ceilingSeen && ceiling < floor ? 0.5 * (ceiling + floor)
+                                                            : std::min(level.ceilingLimit_m, floor - kBelowFloor_m));
+    }
     std::vector<std::vector<std::uint32_t>> storeys(levels.levels.size());
     for (std::size_t i = 0; i < cells.cells.size(); ++i)
     {
