@@ -41,7 +41,8 @@ CellSet corner()
     set.cells.push_back(cell(0.0f, 0.0f, 10.0f, {0, 0, 1}));
     for (int y = 0; y < 10; ++y)
         for (int z = 0; z < 10; ++z)
-            set.cells.push_back(cell(1.07f, 0.41f + 0.02f * y, 10.71f + 0.02f * z, {-1, 0, 0}));
+            set.cells.push_back(
+                cell(1.07f, 0.41f + 0.02f * static_cast<float>(y), 10.71f + 0.02f * static_cast<float>(z), {-1, 0, 0}));
     set.cells.push_back(cell(0.5f, 0.5f, 11.0f, {0.8f, 0, 0.6f}));
     return set;
 }

@@ -63,8 +63,13 @@ TEST(WallPlanes, AWholeWallHasAStrengthOfAboutOne)
     const CellSet set = wallWithDoor();
     const std::vector<WallPlane> planes = findWallPlanes(set, {});
     for (std::size_t i = 0; i < planes.size(); ++i)
-        if (set.cells[i].position.y() > 3.0f && set.cells[i].position.y() < 3.2f)
+    {
+        const float y = set.cells[i].position.y();
+        if (y > 3.0f && y < 3.2f)
+        {
             EXPECT_NEAR(planes[i].strength, 1.0f, 0.15f);
+        }
+    }
 }
 
 TEST(WallPlanes, LevelCellsAndThoseWithoutANormalHaveNone)
