@@ -31,9 +31,9 @@ std::optional<double> revealDepth(const WallBody& body, const SurfaceCells& cell
 {
     const double face = body.lowSeen ? body.low : body.high, sign = body.lowSeen ? 1.0 : -1.0;
     const Eigen::Vector2d n = body.n();
-    constexpr double bin = 0.01;
+    constexpr double bin = 0.01, further_m = 0.3;
     std::vector<double> histogram(static_cast<std::size_t>(params.maximumThickness_m / bin) + 2, 0.0);
-    double total = 0;
+    double total = 0, beyond = 0;
     const auto look = [&](const SurfaceCell& c)
     {
         const double z = static_cast<double>(c.position.z());
@@ -41,7 +41,7 @@ std::optional<double> revealDepth(const WallBody& body, const SurfaceCells& cell
             return;
         const Eigen::Vector2d p = c.position.head<2>().cast<double>();
         const double depth = sign * (n.dot(p) - face), s = body.t.dot(p);
-        if (depth < 0.03 || depth > params.maximumThickness_m || s < body.begin + 0.1 || s > body.end - 0.1)
+        if (depth < 0.03 || depth > params.maximumThickness_m + further_m || s < body.begin + 0.1 || s > body.end - 0.1)
             return;
         if (cells.hasLabels && c.label != Label::Window &&
             c.label != Label::Wall)  // a leaf may stand open beyond the wall
@@ -51,10 +51,16 @@ std::optional<double> revealDepth(const WallBody& body, const SurfaceCells& cell
             std::abs(n.x() * static_cast<double>(c.normal.x()) + n.y() * static_cast<double>(c.normal.y()));
         if (across > 0.3 && !(cells.hasLabels && c.label == Label::Window))
             return;
+        if (depth > params.maximumThickness_m)
+        {
+            beyond += 1;
+            return;
+        }
         histogram[static_cast<std::size_t>(depth / bin)] += 1;
         total += 1;
     };
-    index.near(body.t * body.begin + n * face, body.t * body.end + n * face, params.maximumThickness_m, look);
+    index.near(body.t * body.begin + n * face, body.t * body.end + n * face, params.maximumThickness_m + further_m,
+               look);
     const double area = total * cells.size_m * cells.size_m;
     if (area < 0.08)
         return std::nullopt;
@@ -63,8 +69,13 @@ std::optional<double> revealDepth(const WallBody& body, const SurfaceCells& cell
     for (std::size_t i = 0; i < histogram.size(); ++i)
     {
         sum += histogram[i];
-        if (sum >= 0.97 * total)
-            return (static_cast<double>(i) + 1) * bin;
+        if (sum < 0.97 * total)
+            continue;
+        const double depth = (static_cast<double>(i) + 1) * bin;
+        // A reveal ends somewhere; what goes on past the thickest wall is another room, or the world outside.
+        if (depth > params.maximumThickness_m - 0.05 && beyond > 0.1 * total)
+            return std::nullopt;
+        return depth;
     }
     return std::nullopt;
 }

@@ -231,6 +231,21 @@ TEST(FindWalls, StopsWhenCancelled)
     EXPECT_THROW((void)findWalls(cells, index, level, {1}, nextId, {}, context), Cancelled);
 }
 
+TEST_P(WallsWithAndWithoutLabels, TakeNothingFarBeyondAWindowForItsReveal)
+{
+    // A garden wall seen through the window begins near its plane and runs on outside.
+    HandMadeCloud cloud;
+    test::RoomGaps gaps;
+    gaps.east = {{1.0, 2.0, 0.9, 2.1}};
+    cloud.room({0, 0}, {4, 3}, 0, 2.6, gaps);
+    cloud.wallFace({4.05, 1.5}, {6.5, 1.5}, 0.9, 2.1);
+    const auto result = storeyOf(cloud, GetParam());
+    const Wall* wall = wallThrough(result.walls.walls, {4.05, 1.5}, kAlongY);
+    ASSERT_NE(wall, nullptr);
+    EXPECT_EQ(wall->thickness.provenance, Provenance::Assumed);
+    EXPECT_LT(wall->thickness.value_m, 0.4);
+}
+
 }  // namespace
 TEST(FindWalls, KeepsALowWallLow)
 {
