@@ -2,9 +2,9 @@
 #include "ifc/ifc_writer.h"
 
 #include "core/base/error.h"
+#include "core/base/save_file.h"
 #include "ifc/check.h"
 #include "ifc/model.h"
-#include "ifc/save_file.h"
 
 #include <exception>
 #include <string>

@@ -3,13 +3,13 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/save_file.h"
 #include "core/report/bcf.h"
 #include "core/report/csv.h"
 #include "core/report/html.h"
 #include "core/report/json.h"
 #include "core/report/plan_view.h"
 #include "core/report/rasters.h"
-#include "core/report/save_files.h"
 #include "core/report/scene.h"
 #include "core/report/snapshot.h"
 

@@ -3,8 +3,10 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
-namespace s2b::ifc
+namespace s2b
 {
 
 /// Puts `content` at `path`: all of it, or nothing. It is written to a file beside, flushed to the disk and renamed, so
@@ -13,4 +15,10 @@ namespace s2b::ifc
 /// @throws Error{CannotWrite} that names the path and what the system said; nothing is left then.
 void saveFile(const std::string& path, std::string_view content);
 
-}  // namespace s2b::ifc
+/// Puts all these files (name, content) into a folder, which is made if need be: first each one beside its place, then,
+/// once all of them are on the disk, each is renamed. A failure before that leaves the folder as it was, and none where
+/// there was none.
+/// @throws Error{CannotWrite} as saveFile, of the file that it was.
+void saveFiles(const std::string& folder, const std::vector<std::pair<std::string, std::string>>& files);
+
+}  // namespace s2b
