@@ -178,13 +178,16 @@ void checkColumn(const Column& column)
     checkFinite(column.yaw_rad, name, "rotation");
     checkFinite(column.base_m, name, "base");
     checkDimension(column.height, name, "height");
-    if (const auto* rectangle = std::get_if<RectangleSection>(&column.section))
-    {
-        checkSize(rectangle->width_m, name, "width");
-        checkSize(rectangle->depth_m, name, "depth");
-    }
+    if (const auto* circle = std::get_if<CircleSection>(&column.section))
+        checkSize(circle->radius_m, name, "radius");
     else
-        checkSize(std::get<CircleSection>(column.section).radius_m, name, "radius");
+    {
+        const Eigen::Vector2d box = boxOf(column.section);
+        checkSize(box.x(), name, "width");
+        checkSize(box.y(), name, "depth");
+    }
+    if (const std::string fault = faultOf(column.section, kSmallest_m); !fault.empty())
+        fail(name + " has " + fault);
     checkEvidence(column.evidence, name);
 }
 

@@ -62,6 +62,21 @@ Polygon shifted(Polygon polygon, const Eigen::Vector2d& origin)
     return polygon;
 }
 
+/// "400 x 300 mm", "D 400 mm", "I 260 x 254 mm, web 15 mm, flange 27 mm".
+std::string sectionName(const Section& section)
+{
+    const Eigen::Vector2d box = boxOf(section);
+    if (std::holds_alternative<CircleSection>(section))
+        return "D " + millimetres(box.x());
+    const auto* profile = std::get_if<ProfileSection>(&section);
+    if (profile == nullptr)
+        return millimetres(box.x(), box.y());
+    const std::string name = std::string(shapeName(profile->shape)) + ' ' + millimetres(box.x(), box.y());
+    return profile->shape == ProfileShape::L
+               ? name + ", legs " + millimetres(profile->web_m)
+               : name + ", web " + millimetres(profile->web_m) + ", flange " + millimetres(profile->flange_m);
+}
+
 }  // namespace
 
 void Model::addColumns()
@@ -71,32 +86,18 @@ void Model::addColumns()
         const std::string columnKey = key("column", column.id);
         const double height = column.height.value_m;
         const Eigen::Vector2d x(std::cos(column.yaw_rad), std::sin(column.yaw_rad));
+        // A circle has no direction of its own, and its placement is its centre (D3.6, 5).
+        const bool isRound = std::holds_alternative<CircleSection>(column.section);
         Eigen::Vector2d origin = column.center;
+        if (!isRound)
+            origin -= Eigen::Rotation2Dd(column.yaw_rad) * (0.5 * boxOf(column.section));
+        const Instance placement = storeyPlacement(column.storey, {origin.x(), origin.y(), column.base_m},
+                                                   isRound ? Eigen::Vector2d(Eigen::Vector2d::UnitX()) : x);
         Shapes::Representation representation;
-        std::string typeName;
-        double area = 0.0;
-        double perimeter = 0.0;
-        Instance placement = nullptr;
-        if (const auto* section = std::get_if<RectangleSection>(&column.section))
-        {
-            origin -= 0.5 * (x * section->width_m + Eigen::Vector2d(-x.y(), x.x()) * section->depth_m);
-            placement = storeyPlacement(column.storey, {origin.x(), origin.y(), column.base_m}, x);
-            representation.body = {m_shapes.box(Eigen::Vector3d::Zero(), {section->width_m, section->depth_m, height})};
-            area = section->width_m * section->depth_m;
-            perimeter = 2.0 * (section->width_m + section->depth_m);
-            typeName = "Column " + millimetres(section->width_m, section->depth_m);
-        }
-        else
-        {
-            // A circle has no direction of its own.
-            const double radius = std::get<CircleSection>(column.section).radius_m;
-            placement =
-                storeyPlacement(column.storey, {origin.x(), origin.y(), column.base_m}, Eigen::Vector2d::UnitX());
-            representation.body = {m_shapes.cylinder(radius, height)};
-            area = M_PI * radius * radius;
-            perimeter = 2.0 * M_PI * radius;
-            typeName = "Column D " + millimetres(2.0 * radius);
-        }
+        representation.body = {m_shapes.column(column.section, height)};
+        const double area = areaOf(column.section);
+        const double perimeter = perimeterOf(column.section);
+        const std::string typeName = "Column " + sectionName(column.section);
         m_shapes.paint(representation.body.front(), Style::Column);
         const Instance instance = m_builder.add("IfcColumn", {{"GlobalId", guid(columnKey)},
                                                               {"Name", "Column " + std::to_string(column.id.value)},

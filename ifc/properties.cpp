@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ifc/properties.h"
 
+#include "core/validation/loa.h"
 #include "ifc/guid.h"
 
 #include <charconv>
@@ -39,12 +40,7 @@ std::string textOf(const TypedValue& value)
 
 const char* accuracyBand(double rms_m)
 {
-    const double spread = 2.0 * rms_m;
-    return spread <= 0.001   ? "LOA50"
-           : spread <= 0.005 ? "LOA40"
-           : spread <= 0.015 ? "LOA30"
-           : spread <= 0.050 ? "LOA20"
-                             : "LOA10";
+    return validation::loaName(validation::bandOf(2.0 * rms_m, validation::ValidationParams()));
 }
 
 const char* provenanceName(Provenance provenance)

@@ -33,8 +33,7 @@ struct Quantity
     double value;
 };
 
-/// "LOA30" ...: the band of the USIBD Level of Accuracy specification (v2.0, 2016) in which twice the RMS distance (95
-/// %) lies: LOA50 up to 1 mm, LOA40 5 mm, LOA30 15 mm, LOA20 50 mm, else LOA10.
+/// "LOA30" ..., "beyond LOA10": the validation's band, at its default limits, of twice the RMS distance (95 %).
 [[nodiscard]] const char* accuracyBand(double rms_m);
 
 /// "Measured", "Assumed", "Corrected".

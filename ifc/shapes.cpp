@@ -130,6 +130,41 @@ Instance Shapes::cylinder(double radius, double height)
     return extrude(circle, axes(Eigen::Vector3d::Zero(), Eigen::Vector2d::UnitX()), height);
 }
 
+Instance Shapes::column(const Section& section, double height)
+{
+    if (const auto* circle = std::get_if<CircleSection>(&section))
+        return cylinder(circle->radius_m, height);
+    const Eigen::Vector2d box = boxOf(section);
+    const auto* s = std::get_if<ProfileSection>(&section);
+    if (s == nullptr)
+        return this->box(Eigen::Vector3d::Zero(), {box.x(), box.y(), height});
+    const Instance position = axes2(0.5 * box);
+    const auto profile = [&](const char* entity, std::vector<Builder::Attribute> sizes)
+    {
+        sizes.insert(sizes.begin(), {{"ProfileType", Enumeration{"AREA"}}, {"Position", position}});
+        return extrude(m_builder.add(entity, sizes), axes(Eigen::Vector3d::Zero(), Eigen::Vector2d::UnitX()), height);
+    };
+    switch (s->shape)
+    {
+        case ProfileShape::I:
+            return profile("IfcIShapeProfileDef", {{"OverallWidth", s->width_m},
+                                                   {"OverallDepth", s->depth_m},
+                                                   {"WebThickness", s->web_m},
+                                                   {"FlangeThickness", s->flange_m}});
+        case ProfileShape::L:
+            return profile("IfcLShapeProfileDef",
+                           {{"Depth", s->depth_m}, {"Width", s->width_m}, {"Thickness", s->web_m}});
+        case ProfileShape::U:
+        case ProfileShape::T:
+            break;
+    }
+    return profile(s->shape == ProfileShape::U ? "IfcUShapeProfileDef" : "IfcTShapeProfileDef",
+                   {{"Depth", s->depth_m},
+                    {"FlangeWidth", s->width_m},
+                    {"WebThickness", s->web_m},
+                    {"FlangeThickness", s->flange_m}});
+}
+
 Instance Shapes::curve(const Ring& ring)
 {
     std::vector<std::vector<double>> points;

@@ -53,6 +53,8 @@ public:
     /// Solids, all extruded along z from z = `bottom` unless said otherwise.
     Instance box(const Eigen::Vector3d& corner, const Eigen::Vector3d& size);
     Instance cylinder(double radius, double height);
+    /// A column's body: the lower-left corner of the section's box at the origin; a circle about it.
+    Instance column(const Section& section, double height);
     Instance prism(const Ring& ring, double bottom, double height);
     Instance prism(const Polygon& polygon, double bottom, double height);
     /// A polygon in the x-z plane, extruded along y from `front` to `front + depth`, with holes.

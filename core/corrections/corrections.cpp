@@ -215,18 +215,18 @@ Building setKind(Building building, ElementId id, ElementKind kind)
     }
     if (const Column* c = findElement(building.columns, id); c && kind == ElementKind::Wall)
     {
-        const auto* box = std::get_if<RectangleSection>(&c->section);
-        if (!box)
+        const Eigen::Vector2d box = boxOf(c->section);
+        if (std::holds_alternative<CircleSection>(c->section))
             refuse(building, id, "is round: it can't become a wall");
         Wall w;
         w.id = id, w.storey = c->storey, w.evidence = c->evidence;
-        const double turn = box->width_m >= box->depth_m ? c->yaw_rad : c->yaw_rad + std::acos(0.0);
+        const double turn = box.x() >= box.y() ? c->yaw_rad : c->yaw_rad + std::acos(0.0);
         const Eigen::Vector2d along(std::cos(turn), std::sin(turn));
-        w.bodyEnd_m = std::max(box->width_m, box->depth_m);
+        w.bodyEnd_m = box.maxCoeff();
         w.start = c->center - along * w.bodyEnd_m / 2;
         w.end = c->center + along * w.bodyEnd_m / 2;
         w.base_m = c->base_m, w.height = c->height;
-        w.thickness = {std::min(box->width_m, box->depth_m), c->sectionProvenance, c->evidence.rms_m};
+        w.thickness = {box.minCoeff(), c->sectionProvenance, c->evidence.rms_m};
         building.walls.push_back(w);
         std::erase_if(building.columns, [&](const Column& e) { return e.id == id; });
         return building;

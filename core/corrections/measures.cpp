@@ -10,6 +10,7 @@ namespace
 {
 
 constexpr double kLeast_m = 0.01;
+constexpr double kThinnest_m = 0.001;  // of a plate
 constexpr double kMost_m = 100.0;
 
 Dimension corrected(const Dimension& was, double value_m)
@@ -78,12 +79,11 @@ std::optional<Dimension> measureOf(const Building& building, ElementId id, Measu
         const auto section = [&](double value) { return Dimension{value, c->sectionProvenance, c->evidence.rms_m}; };
         if (measure == Measure::Height)
             return c->height;
-        if (const auto* circle = std::get_if<CircleSection>(&c->section); circle && measure == Measure::Width)
-            return section(2 * circle->radius_m);
-        if (const auto* box = std::get_if<RectangleSection>(&c->section))
-            return measure == Measure::Width   ? std::optional(section(box->width_m))
-                   : measure == Measure::Depth ? std::optional(section(box->depth_m))
-                                               : std::nullopt;
+        const Eigen::Vector2d box = boxOf(c->section);
+        if (measure == Measure::Width)
+            return section(box.x());
+        if (measure == Measure::Depth && !std::holds_alternative<CircleSection>(c->section))
+            return section(box.y());
         return std::nullopt;
     }
     if (const Slab* s = findElement(building.slabs, id); s && measure == Measure::Thickness)
@@ -127,12 +127,11 @@ Building setMeasure(Building building, ElementId id, Measure measure, double val
             c->height = corrected(c->height, value_m);
         else
         {
-            if (auto* circle = std::get_if<CircleSection>(&c->section))
-                circle->radius_m = value_m / 2;
-            else if (auto& box = std::get<RectangleSection>(c->section); measure == Measure::Width)
-                box.width_m = value_m;
-            else
-                box.depth_m = value_m;
+            Eigen::Vector2d box = boxOf(c->section);
+            (measure == Measure::Width ? box.x() : box.y()) = value_m;
+            setBox(c->section, box);
+            if (!faultOf(c->section, kThinnest_m).empty())
+                refuse(building, id, "would have no room between its web and flanges");
             c->sectionProvenance = Provenance::Corrected;
         }
     }

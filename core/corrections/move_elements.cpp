@@ -11,8 +11,9 @@ namespace s2b
 namespace
 {
 
-constexpr double kSlant = 5e-4;  // rad; what a transformation of single precision may be off
-constexpr double kScale = 2e-4;  // a scale nearer to 1 is rounding
+constexpr double kSlant = 5e-4;        // rad; what a transformation of single precision may be off
+constexpr double kThinnest_m = 0.001;  // of a plate
+constexpr double kScale = 2e-4;        // a scale nearer to 1 is rounding
 constexpr double kInWall_m = 0.05;
 
 Eigen::Vector2d flat(const Eigen::Vector3d& v)
@@ -120,21 +121,26 @@ void moveColumn(const Building& building, Column& column, const UprightMotion& m
 {
     const Eigen::Vector2d x(std::cos(column.yaw_rad), std::sin(column.yaw_rad)), y(-x.y(), x.x());
     const auto [wide, deep] = stretchOf(building, column.id, m, x, y);
-    if (auto* circle = std::get_if<CircleSection>(&column.section))
-    {
-        if (std::abs(wide - deep) > kScale)
-            refuse(building, column.id, "is round: scale it by the same factor in all directions of the plan");
-        circle->radius_m *= wide;
-    }
-    else
-    {
-        auto& box = std::get<RectangleSection>(column.section);
-        box.width_m *= wide;
-        box.depth_m *= deep;
-    }
+    if (std::holds_alternative<CircleSection>(column.section) && std::abs(wide - deep) > kScale)
+        refuse(building, column.id, "is round: scale it by the same factor in all directions of the plan");
+    setBox(column.section, boxOf(column.section).cwiseProduct(Eigen::Vector2d(wide, deep)));
+    if (!faultOf(column.section, kThinnest_m).empty())
+        refuse(building, column.id, "would have no room between its web and flanges");
     if (wide != 1.0 || deep != 1.0)
         column.sectionProvenance = Provenance::Corrected;
-    const Eigen::Vector2d turned = m.along(x);
+    Eigen::Vector2d turned = m.along(x);
+    if (auto* profile = std::get_if<ProfileSection>(&column.section); profile && m.mirrors())
+    {
+        // A mirrored T still has its flange where its y was; a mirrored L has its legs the other way round.
+        const Eigen::Vector2d up = m.along(y);
+        if (profile->shape == ProfileShape::T)
+            turned = {up.y(), -up.x()};
+        else if (profile->shape == ProfileShape::L)
+        {
+            turned = up;
+            std::swap(profile->width_m, profile->depth_m);
+        }
+    }
     column.yaw_rad = std::atan2(turned.y(), turned.x());
     column.center = m.plan(column.center);
     column.base_m = m.height(column.base_m);

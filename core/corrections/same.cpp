@@ -20,17 +20,6 @@ auto values(const Polygon& p)
 {
     return std::tie(p.outer, p.holes);
 }
-bool isSame(const std::variant<RectangleSection, CircleSection>& a,
-            const std::variant<RectangleSection, CircleSection>& b)
-{
-    if (a.index() != b.index())
-        return false;
-    if (const auto* circle = std::get_if<CircleSection>(&a))
-        return circle->radius_m == std::get<CircleSection>(b).radius_m;
-    const auto &x = std::get<RectangleSection>(a), &y = std::get<RectangleSection>(b);
-    return x.width_m == y.width_m && x.depth_m == y.depth_m;
-}
-
 }  // namespace
 
 bool isSame(const Storey& a, const Storey& b)
@@ -69,7 +58,7 @@ bool isSame(const Column& a, const Column& b)
         return std::tuple_cat(std::tie(c.id, c.storey, c.center, c.yaw_rad, c.base_m, c.sectionProvenance),
                               values(c.height), values(c.evidence));
     };
-    return all(a) == all(b) && isSame(a.section, b.section);
+    return all(a) == all(b) && a.section == b.section;
 }
 
 bool isSame(const Slab& a, const Slab& b)

@@ -92,6 +92,15 @@ std::vector<Eigen::Vector2d> Wall::outline() const
     return ring;
 }
 
+std::vector<Eigen::Vector2d> Column::outline() const
+{
+    std::vector<Eigen::Vector2d> ring = outlineOf(section);
+    const Eigen::Rotation2Dd turn(yaw_rad);
+    for (Eigen::Vector2d& p : ring)
+        p = center + turn * p;
+    return ring;
+}
+
 const Storey* Building::storey(ElementId id) const
 {
     const auto it = std::find_if(storeys.begin(), storeys.end(), [&](const Storey& s) { return s.id == id; });

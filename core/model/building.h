@@ -6,13 +6,14 @@
 /// dominant wall directions, z = 0 at the lowest storey's floor. Building::frame takes them to the world of the input.
 #pragma once
 
+#include "core/model/section.h"
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <array>
 #include <cstdint>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace s2b
@@ -149,16 +150,6 @@ struct Opening
     Evidence evidence;
 };
 
-struct RectangleSection
-{
-    double width_m = 0.0;  ///< along the column's x
-    double depth_m = 0.0;  ///< along the column's y
-};
-struct CircleSection
-{
-    double radius_m = 0.0;
-};
-
 struct Column
 {
     ElementId id;
@@ -167,9 +158,12 @@ struct Column
     double yaw_rad = 0.0;  ///< of its x axis in the building frame
     double base_m = 0.0;
     Dimension height;
-    std::variant<RectangleSection, CircleSection> section;
+    Section section;
     Provenance sectionProvenance = Provenance::Measured;
     Evidence evidence;
+
+    /// Outline of the section in plan, counter-clockwise; a circle is sampled to 1 mm sagitta.
+    [[nodiscard]] std::vector<Eigen::Vector2d> outline() const;
 };
 
 enum class SlabKind

@@ -79,6 +79,8 @@ const std::vector<ParameterInfo>& parameterTable()
         row<&P::columns, &ColumnParams::maximumSize_m>("columns.maximumSize", "m", 0.1, 10, "Largest side or diameter of a column.", "practice"),
         row<&P::columns, &ColumnParams::circleTolerance_m>("columns.circleTolerance", "m", 0.001, 0.2, "Largest RMS of a circle's fit to a round column.", "practice: several times a scanner's noise, below a square's 6 % of its side"),
         row<&P::columns, &ColumnParams::circleTrials>("columns.circleTrials", "1", 1, 100000, "RANSAC trials of a circle.", "D3.6, 3.6; value: practice, with half of the points outliers all trials miss once in 4e11"),
+        row<&P::columns, &ColumnParams::profiles>("columns.profiles", "", 0, 1, "Whether I, L, U and T sections are looked for; if not, they are given as the box around them.", "practice"),
+        row<&P::columns, &ColumnParams::profileTolerance_m>("columns.profileTolerance", "m", 0.001, 0.1, "Largest RMS of the points about the outline of an I, L, U or T section.", "practice: several times a scanner's noise"),
 
         row<&P::slabs, &SlabParams::defaultThickness_m>("slabs.defaultThickness", "m", 0.01, 2, "Assumed thickness of a slab of which one side was seen.", "practice: a common concrete slab"),
         row<&P::slabs, &SlabParams::minimumThickness_m>("slabs.minimumThickness", "m", 0.01, 1, "A ceiling nearer than this below a floor is not the slab's underside.", "practice: below the thinnest floor"),

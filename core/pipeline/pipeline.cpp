@@ -66,9 +66,15 @@ Building reconstruct(const CloudView& cloud, const PipelineOptions& options, con
     for (std::size_t i = 0; i < levels.levels.size(); ++i)
     {
         const double from = 0.6 + share * static_cast<double>(i);
-        StoreyRun run =
-            runStorey(cells, {levels.levels[i], storeys[i], building.storeys[i].name, nullptr, from, from + share},
-                      options, nextId, context);
+        StoreyRun run = runStorey(cells,
+                                  {levels.levels[i],
+                                   storeys[i],
+                                   building.storeys[i].name,
+                                   nullptr,
+                                   from,
+                                   from + share,
+                                   {&cloud, building.frame}},
+                                  options, nextId, context);
         if (run.upper)
             wallStoreys.push_back(*run.upper);
         append(building.walls, std::move(run.walls));

@@ -68,9 +68,9 @@ ElementId storeyOf(const Building& building, const Diagnostic& d)
 class Renewal
 {
 public:
-    Renewal(const PipelineOptions& options, const Model& earlier, std::optional<ElementId> storey,
-            const Context& context)
-        : m_options(options), m_context(context), m_model(earlier), m_before(earlier.corrected)
+    Renewal(const CloudView& cloud, const PipelineOptions& options, const Model& earlier,
+            std::optional<ElementId> storey, const Context& context)
+        : m_cloud(cloud), m_options(options), m_context(context), m_model(earlier), m_before(earlier.corrected)
     {
         m_nextId = std::max(freeId(earlier.found).value, freeId(earlier.corrected).value);
         if (storey && !earlier.corrected.storey(*storey))
@@ -154,8 +154,8 @@ private:
         if (m_options.stages.contains(Stage::Walls))
         {
             options.stages = {Stage::Walls};
-            takeWalls(runStorey(cells, {level, storey.id, storey.name, nullptr, from, from + share}, options, m_nextId,
-                                m_context),
+            takeWalls(runStorey(cells, {level, storey.id, storey.name, nullptr, from, from + share, {}}, options,
+                                m_nextId, m_context),
                       storey);
             given.clear();
             for (const Wall& w : m_model.corrected.walls)
@@ -164,8 +164,9 @@ private:
         }
         options.stages = m_options.stages;
         options.stages.erase(Stage::Walls);
-        StoreyRun run =
-            runStorey(cells, {level, storey.id, storey.name, &given, from, from + share}, options, m_nextId, m_context);
+        StoreyRun run = runStorey(
+            cells, {level, storey.id, storey.name, &given, from, from + share, {&m_cloud, m_model.corrected.frame}},
+            options, m_nextId, m_context);
         std::set<OpeningKind> kinds;
         if (m_options.stages.contains(Stage::Doors))
             kinds.insert(OpeningKind::Door);
@@ -265,6 +266,7 @@ private:
         m_model.found.diagnostics = std::move(all);
     }
 
+    const CloudView& m_cloud;
     const PipelineOptions& m_options;
     const Context& m_context;
     Model m_model;
@@ -280,7 +282,7 @@ private:
 Model reconstructFrom(const CloudView& cloud, const PipelineOptions& options, const Model& earlier,
                       std::optional<ElementId> storey, const Context& context)
 {
-    Renewal renewal(options, earlier, storey, context);
+    Renewal renewal(cloud, options, earlier, storey, context);
     SurfaceCells cells = surfaceCellsOf(cloud, options, context);
     context.report("Building frame", 0.5);
     moveInto(cells, cloud.origin, earlier.corrected.frame);

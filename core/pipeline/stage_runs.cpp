@@ -97,7 +97,7 @@ StoreyRun runStorey(const SurfaceCells& cells, const StoreyTask& task, const Pip
     if (options.stages.contains(Stage::Columns))
     {
         context.report(std::format("Columns of {}", task.name), fraction(0.8));
-        ColumnResult columns = findColumns(cells, level, walls, task.storey, nextId, p.columns, context);
+        ColumnResult columns = findColumns(cells, task.columns, level, walls, task.storey, nextId, p.columns, context);
         run.columns = std::move(columns.columns);
         append(run.diagnostics, std::move(columns.diagnostics));
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/cloud/surface_cells.h"
+#include "core/columns/columns.h"
 #include "core/levels/levels.h"
 #include "core/pipeline/pipeline.h"
 
@@ -34,6 +35,7 @@ struct StoreyTask
     std::string name;                             ///< for the progress
     const std::vector<Wall>* walls = nullptr;     ///< given ones; null: found by the stage Walls, or none
     double fromFraction = 0.0, toFraction = 1.0;  ///< of the progress
+    ColumnSource columns{};                       ///< the points themselves, for the sections of columns
 };
 
 struct StoreyRun

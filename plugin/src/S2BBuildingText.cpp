@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace Eigen
@@ -32,22 +33,34 @@ namespace s2b
 	{
 		j.get_to(id.value);
 	}
-	void to_json(nlohmann::json& j, const std::variant<RectangleSection, CircleSection>& section)
+	void to_json(nlohmann::json& j, const Section& section)
 	{
+		const Eigen::Vector2d box = boxOf(section);
 		if (const auto* circle = std::get_if<CircleSection>(&section))
 			j = {{"radius_m", circle->radius_m}};
 		else
-		{
-			const auto& box = std::get<RectangleSection>(section);
-			j               = {{"width_m", box.width_m}, {"depth_m", box.depth_m}};
-		}
+			j = {{"width_m", box.x()}, {"depth_m", box.y()}};
+		if (const auto* profile = std::get_if<ProfileSection>(&section))
+			j.update({{"shape", shapeName(profile->shape)}, {"web_m", profile->web_m}, {"flange_m", profile->flange_m}});
 	}
-	void from_json(const nlohmann::json& j, std::variant<RectangleSection, CircleSection>& section)
+	void from_json(const nlohmann::json& j, Section& section)
 	{
+		const auto size = [&](const char* name)
+		{ return j.at(name).get<double>(); };
 		if (j.contains("radius_m"))
-			section = CircleSection{j.at("radius_m").get<double>()};
+			section = CircleSection{size("radius_m")};
+		else if (!j.contains("shape"))
+			section = RectangleSection{size("width_m"), size("depth_m")};
 		else
-			section = RectangleSection{j.at("width_m").get<double>(), j.at("depth_m").get<double>()};
+		{
+			const auto name  = j.at("shape").get<std::string>();
+			const auto known = {ProfileShape::I, ProfileShape::L, ProfileShape::U, ProfileShape::T};
+			const auto shape = std::find_if(known.begin(), known.end(), [&](ProfileShape s)
+			                                { return name == shapeName(s); });
+			if (shape == known.end())
+				throw Error(ErrorCode::BadFile, "a column's section has the unknown shape \"" + name + '"');
+			section = ProfileSection{*shape, size("width_m"), size("depth_m"), size("web_m"), size("flange_m")};
+		}
 	}
 	NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Dimension, value_m, provenance, rms_m)
 	NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Evidence, points, faceCoverage, facesSeen, rms_m, labelShare)

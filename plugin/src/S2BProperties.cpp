@@ -76,8 +76,15 @@ namespace s2b
 				map["Diameter"] = QString(metres(2.0 * circle->radius_m) + origin);
 			else
 			{
-				const auto& box = std::get<RectangleSection>(column.section);
-				map["Section"]  = QString(metres(box.width_m) + " x " + metres(box.depth_m) + origin);
+				const Eigen::Vector2d box     = boxOf(column.section);
+				const auto*           profile = std::get_if<ProfileSection>(&column.section);
+				const QString         shape   = profile ? QString(shapeName(profile->shape)) + ' ' : QString();
+				map["Section"]                = QString(shape + metres(box.x()) + " x " + metres(box.y()) + origin);
+				if (profile)
+				{
+					map["Web"]    = metres(profile->web_m);
+					map["Flange"] = metres(profile->flange_m);
+				}
 			}
 			map["Height"] = text(column.height);
 			addEvidence(map, column.evidence, false);

@@ -226,23 +226,7 @@ namespace s2b
 
 	Solid columnSolid(const Column& column)
 	{
-		Polygon outline;
-		if (const auto* circle = std::get_if<CircleSection>(&column.section))
-		{
-			constexpr int kSides = 48;
-			for (int i = 0; i < kSides; ++i)
-			{
-				const double a = 2.0 * std::numbers::pi * i / kSides;
-				outline.outer.push_back(column.center + circle->radius_m * Eigen::Vector2d(std::cos(a), std::sin(a)));
-			}
-		}
-		else
-		{
-			const auto&             box = std::get<RectangleSection>(column.section);
-			const Eigen::Rotation2D turn(column.yaw_rad);
-			for (const auto& [x, y] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}})
-				outline.outer.push_back(column.center + turn * Eigen::Vector2d(x * box.width_m, y * box.depth_m));
-		}
+		const Polygon outline{column.outline(), {}};
 		return prism(outline, column.base_m, column.base_m + column.height.value_m);
 	}
 

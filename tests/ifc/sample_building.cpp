@@ -125,6 +125,20 @@ Building sampleBuilding()
     circle.center = {7.5, 3.0};
     circle.section = CircleSection{0.2};
     b.columns.push_back(circle);
+    unsigned id = 42;
+    for (const ProfileSection& section : {ProfileSection{ProfileShape::I, 0.30, 0.28, 0.011, 0.019},
+                                          ProfileSection{ProfileShape::L, 0.25, 0.20, 0.020, 0.020},
+                                          ProfileSection{ProfileShape::U, 0.10, 0.30, 0.010, 0.016},
+                                          ProfileSection{ProfileShape::T, 0.30, 0.15, 0.011, 0.019}})
+    {
+        Column column = rectangle;
+        column.id = {id};
+        column.center = {1.0 + 0.9 * (id - 42), 4.5};
+        column.yaw_rad = 0.4 * (id - 41);
+        column.section = section;
+        b.columns.push_back(column);
+        ++id;
+    }
 
     Slab floor;
     floor.id = {50};

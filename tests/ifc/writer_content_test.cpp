@@ -3,6 +3,7 @@
 #include "sample_building.h"
 #include "test_files.h"
 
+#include "core/validation/loa.h"
 #include "ifc/relations.h"
 
 #include <gtest/gtest.h>
@@ -176,6 +177,21 @@ TEST_P(WriterContent, EvidenceTellsMeasuredFromAssumed)
     EXPECT_EQ(property(all("IfcProject").front(), "S2B_Parameters", "walls.maxThickness"), "IFCLABEL('0.6')");
 }
 
+TEST_P(WriterContent, LevelOfAccuracyIsTheValidations)
+{
+    Building b = test::oneWall();
+    b.walls[0].evidence.points = 1;
+    for (const double rms : {0.0004, 0.0006, 0.002, 0.0026, 0.007, 0.008, 0.025, 0.026, 0.075, 0.076, 1.0})
+    {
+        b.walls[0].evidence.rms_m = rms;
+        write(b);
+        const std::string band = validation::loaName(validation::bandOf(2.0 * rms, {}));
+        EXPECT_EQ(property(named("IfcWall", "Wall 2"), "S2B_Evidence", "LevelOfAccuracy"), "IFCLABEL('" + band + "')")
+            << rms;
+    }
+    EXPECT_EQ(property(named("IfcWall", "Wall 2"), "S2B_Evidence", "LevelOfAccuracy"), "IFCLABEL('beyond LOA10')");
+}
+
 TEST_P(WriterContent, QuantitiesAgreeWithTheGeometry)
 {
     const Building b = test::sampleBuilding();
@@ -192,6 +208,19 @@ TEST_P(WriterContent, QuantitiesAgreeWithTheGeometry)
         const double tolerance = wall.bulge == 0.0 ? 0.001 : 0.002;
         EXPECT_NEAR(gross, test::volumeOf(test::elementOf(closed, "IfcWall", name)), tolerance * gross) << name;
         EXPECT_NEAR(net, test::volumeOf(test::elementOf(open, "IfcWall", name)), tolerance * net) << name;
+    }
+    for (const Column& column : b.columns)
+    {
+        const std::string name = "Column " + std::to_string(column.id.value);
+        const Instance element = named("IfcColumn", name);
+        const double volume = test::volumeOf(test::elementOf(open, "IfcColumn", name));
+        const bool isRound = std::holds_alternative<CircleSection>(column.section);
+        const double tolerance = (isRound ? 0.004 : 1e-6) * volume;  // the reader's 1 mm chords
+        for (const char* which : {"GrossVolume", "NetVolume"})
+            EXPECT_NEAR(quantity(element, "Qto_ColumnBaseQuantities", which), volume, tolerance) << name;
+        EXPECT_NEAR(quantity(element, "Qto_ColumnBaseQuantities", "CrossSectionArea"), volume / column.height.value_m,
+                    tolerance / column.height.value_m)
+            << name;
     }
     EXPECT_NEAR(quantity(named("IfcSlab", "Slab 50"), "Qto_SlabBaseQuantities", "NetVolume"),
                 test::volumeOf(test::elementOf(open, "IfcSlab", "Slab 50")), 1e-6);
@@ -233,7 +262,33 @@ TEST_P(WriterContent, ElementsOfOneSizeShareTheirType)
     std::size_t typed = 0;
     for (const Instance relation : all("IfcRelDefinesByType"))
         typed += list(relation, "RelatedObjects").size();
-    EXPECT_EQ(typed, 11U + 5U + 3U + 2U + 2U) << "walls, doors, windows, columns, slabs";
+    EXPECT_EQ(typed, 11U + 5U + 3U + 6U + 2U) << "walls, doors, windows, columns, slabs";
+}
+
+TEST_P(WriterContent, SectionsAreTheStandardsProfiles)
+{
+    write(test::sampleBuilding());
+    const auto only = [&](const char* entity)
+    {
+        const auto profiles = all(entity);
+        EXPECT_EQ(profiles.size(), 1U) << entity;
+        return profiles.front();
+    };
+    const auto size = [](Instance profile, const char* attribute)
+    { return ifc::attributeNumber(profile, attribute).value_or(-1.0); };
+    const Instance i = only("IfcIShapeProfileDef");
+    EXPECT_EQ(size(i, "OverallWidth"), 0.30);
+    EXPECT_EQ(size(i, "OverallDepth"), 0.28);
+    EXPECT_EQ(size(i, "WebThickness"), 0.011);
+    EXPECT_EQ(size(i, "FlangeThickness"), 0.019);
+    const Instance l = only("IfcLShapeProfileDef");
+    EXPECT_EQ(size(l, "Width"), 0.25);
+    EXPECT_EQ(size(l, "Depth"), 0.20);
+    EXPECT_EQ(size(l, "Thickness"), 0.020);
+    EXPECT_EQ(size(only("IfcUShapeProfileDef"), "FlangeWidth"), 0.10);
+    EXPECT_EQ(size(only("IfcTShapeProfileDef"), "Depth"), 0.15);
+    EXPECT_EQ(property(named("IfcColumn", "Column 42"), "Pset_ColumnCommon", "Reference"),
+              "IFCIDENTIFIER('Column I 300 x 280 mm, web 11 mm, flange 19 mm')");
 }
 
 TEST_P(WriterContent, JunctionsSayWhichEnds)

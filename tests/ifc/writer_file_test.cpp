@@ -193,6 +193,10 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"HomelessOpening", [](Building& b) { b.openings[0].host = {40}; }, "opening 30"},
         Damage{"CoverageOverOne", [](Building& b) { b.walls[0].evidence.faceCoverage[1] = 1.1; }, "wall 10"},
         Damage{"FlatColumn", [](Building& b) { b.columns[0].section = RectangleSection{0.3, 0.0}; }, "column 40"},
+        Damage{"WebWithoutThickness", [](Building& b)
+               { b.columns[0].section = ProfileSection{ProfileShape::I, 0.3, 0.3, 0.0, 0.02}; }, "column 40"},
+        Damage{"FlangesThatMeet", [](Building& b)
+               { b.columns[0].section = ProfileSection{ProfileShape::U, 0.3, 0.3, 0.01, 0.15}; }, "column 40"},
         Damage{"NegativeRadius", [](Building& b) { b.columns[1].section = CircleSection{-0.2}; }, "column 41"},
         Damage{"SlabWithoutArea", [](Building& b) { b.slabs[0].outline.outer = {{0, 0}, {1, 1}, {2, 2}}; }, "slab 50"},
         Damage{"HoleLargerThanSlab", [](Building& b) { b.slabs[0].outline.holes = {b.slabs[0].outline.outer}; },

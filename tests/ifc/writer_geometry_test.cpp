@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace s2b
@@ -162,6 +163,28 @@ TEST_P(WriterGeometry, SlopedTopsKeepTheirVolume)
     const double end = b.wall({22})->axisLength_m();
     const double volume = 0.2 * (3.0 * 2.5 + (end - 3.0) * 2.0);
     EXPECT_NEAR(volumeOf(test::elementOf(model, "IfcWall", "Wall 22")), volume, kCurve * volume);
+}
+
+TEST_P(WriterGeometry, ProfilesStandWhereTheyAreAndAsTheyAreTurned)
+{
+    Building b = test::sampleBuilding();
+    b.frame = {};
+    const auto model = roundTrip(b, options());
+    int compared = 0;
+    for (const Column& column : b.columns)
+        if (std::holds_alternative<ProfileSection>(column.section))
+        {
+            const auto& mesh = test::elementOf(model, "IfcColumn", "Column " + std::to_string(column.id.value));
+            EXPECT_NEAR(volumeOf(mesh), areaOf(column.section) * column.height.value_m, kExact_m);
+            for (const Eigen::Vector2d& corner : column.outline())
+                for (const double z : {column.base_m, column.base_m + column.height.value_m})
+                    EXPECT_TRUE(
+                        std::any_of(mesh.vertices.begin(), mesh.vertices.end(), [&](const Eigen::Vector3d& v)
+                                    { return (v - Eigen::Vector3d(corner.x(), corner.y(), z)).norm() < kExact_m; }))
+                        << mesh.name << " has no corner at " << corner.transpose();
+            ++compared;
+        }
+    EXPECT_EQ(compared, 4);
 }
 
 TEST_P(WriterGeometry, ColumnsSlabsAndSpaces)

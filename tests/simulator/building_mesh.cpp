@@ -49,27 +49,21 @@ void addPlate(Scene& scene, const Polygon& outline, double bottom, double top, s
 
 void addColumn(Scene& scene, const Column& column, std::uint32_t element)
 {
-    const Surface surface{element, Label::Column, Material::Opaque};
-    const double half = column.height.value_m / 2.0;
-    const Eigen::Vector3d center(column.center.x(), column.center.y(), column.base_m + half);
-    if (const auto* rectangle = std::get_if<RectangleSection>(&column.section))
+    const auto* circle = std::get_if<CircleSection>(&column.section);
+    Polygon outline{column.outline(), {}};
+    if (circle != nullptr)  // rounder than the metrics' outline
     {
-        scene.addBox({center, {rectangle->width_m / 2.0, rectangle->depth_m / 2.0, half}, column.yaw_rad}, surface);
-        return;
-    }
-    const double radius = std::get<CircleSection>(column.section).radius_m;
-    constexpr int kFacets = 96;  // 0.13 mm sagitta at 0.25 m
-    for (int i = 0; i < kFacets; ++i)
-    {
-        const auto at = [&](int k, double z)
+        constexpr int kFacets = 96;  // 0.13 mm sagitta at 0.25 m
+        outline.outer.clear();
+        for (int i = 0; i < kFacets; ++i)
         {
-            const double angle = 2.0 * std::numbers::pi * k / kFacets;
-            return Eigen::Vector3d(center.x() + radius * std::cos(angle), center.y() + radius * std::sin(angle),
-                                   center.z() + z);
-        };
-        scene.addQuad(at(i, -half), at(i + 1, -half), at(i + 1, half), at(i, half), surface);
-        scene.addTriangle({center.x(), center.y(), center.z() + half}, at(i, half), at(i + 1, half), surface);
+            const double angle = 2.0 * std::numbers::pi * i / kFacets;
+            outline.outer.push_back(column.center +
+                                    circle->radius_m * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+        }
     }
+    addPlate(scene, outline, column.base_m, column.base_m + column.height.value_m, element, Label::Column,
+             Label::Column);
 }
 
 }  // namespace

@@ -60,6 +60,7 @@ struct BuildingSpec
     bool cubicles = true;            ///< a room per storey with WC cubicles
     bool rectangularColumns = true;  ///< free-standing
     bool roundColumns = true;        ///< free-standing
+    bool profileColumns = false;     ///< instead of some of the rectangular ones: I, L, U and T sections
     bool engagedColumns = true;      ///< rectangular, standing out of a wall
     bool obliqueWalls = true;        ///< partitions at 4 and 30 degrees to the others
     bool curvedWalls = true;         ///< an arc as a partition

@@ -144,6 +144,20 @@ void addPlainOpenings(const BuildingSpec& spec, StoreyPlan& plan)
     }
 }
 
+/// Rolled steel (HE, IPE, angles, channels, tees) and cast concrete sections in turn.
+ProfileSection profileOf(std::size_t turn, Random& random)
+{
+    const std::vector<ProfileSection> known{
+        {ProfileShape::I, 0.30, 0.30, 0.011, 0.019},   {ProfileShape::L, 0.20, 0.20, 0.020, 0.020},
+        {ProfileShape::I, 0.19, 0.45, 0.0094, 0.0146}, {ProfileShape::L, 0.60, 0.45, 0.20, 0.20},
+        {ProfileShape::U, 0.10, 0.30, 0.010, 0.016},   {ProfileShape::T, 0.30, 0.15, 0.011, 0.019}};
+    ProfileSection section = known[turn % known.size()];
+    const double scale = random.uniform(0.95, 1.05);  // no two alike
+    for (double* size : {&section.width_m, &section.depth_m})
+        *size *= scale;
+    return section;
+}
+
 void addColumns(const BuildingSpec& spec, StoreyPlan& plan)
 {
     std::size_t index = 0;
@@ -182,6 +196,9 @@ void addColumns(const BuildingSpec& spec, StoreyPlan& plan)
                 continue;
             if (turn == 1)
                 plan.addColumn(center, 0.0, CircleSection{random.pick(std::vector<double>{0.15, 0.2, 0.25})});
+            else if (spec.profileColumns)
+                plan.addColumn(center, random.pick(std::vector<double>{0.0, 0.5, 1.0, 1.5}) * std::numbers::pi,
+                               profileOf((index - 1) / 3 + 2 * plan.storeyIndex(), random));
             else
                 plan.addColumn(center, random.chance(0.3) ? std::numbers::pi / 4.0 : 0.0,
                                RectangleSection{random.pick(std::vector<double>{0.3, 0.4, 0.5}),

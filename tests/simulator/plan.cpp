@@ -256,8 +256,7 @@ Opening* StoreyPlan::addOpening(std::size_t index, const Room& room, OpeningKind
     return &m_building.openings.back();
 }
 
-void StoreyPlan::addColumn(const Eigen::Vector2d& center, double yaw_rad,
-                           std::variant<RectangleSection, CircleSection> section)
+void StoreyPlan::addColumn(const Eigen::Vector2d& center, double yaw_rad, const Section& section)
 {
     Column column;
     column.id = {m_nextId++};

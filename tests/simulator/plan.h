@@ -9,7 +9,6 @@
 #include <deque>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace s2b::sim
@@ -72,8 +71,7 @@ public:
     /// @return null when there was no room for it.
     Opening* addOpening(std::size_t wall, const Room& room, OpeningKind kind, double width_m, double height_m,
                         double sill_m, Random& random, double position = -1.0);
-    void addColumn(const Eigen::Vector2d& center, double yaw_rad,
-                   std::variant<RectangleSection, CircleSection> section);
+    void addColumn(const Eigen::Vector2d& center, double yaw_rad, const Section& section);
 
     /// +1 when the room lies to the left of the wall.
     [[nodiscard]] double sideOf(std::size_t wall, const Room& room) const { return sideOf(wall, room.joints); }

@@ -110,6 +110,8 @@ void addOptions(CLI::App& app, Options& o)
                  "draw the kind of building, its fittings, furniture and structure, the scanner and its stations from "
                  "the seed: training data. Other options override what is drawn")
         ->group(kBuilding);
+    app.add_flag("--profile-columns", o.spec.profileColumns, "I, L, U and T sections instead of the rectangular ones")
+        ->group(kBuilding);
     std::string names;
     for (const auto& [name, member] : features())
         names += (names.empty() ? "" : ", ") + name;

@@ -335,14 +335,24 @@ private:
             if (column.id != e.id)
                 continue;
             const auto* circle = std::get_if<CircleSection>(&column.section);
-            d["section"] = circle != nullptr ? "round" : "rect";
-            if (circle == nullptr)
+            const auto* profile = std::get_if<ProfileSection>(&column.section);
+            d["section"] = circle != nullptr ? "round" : profile != nullptr ? shapeName(profile->shape) : "rect";
+            if (circle == nullptr && profile == nullptr)
                 continue;
-            std::vector<Eigen::Vector2d> outline;
-            for (int i = 0; i < 96; ++i)
-                outline.push_back(column.center +
-                                  circle->radius_m * Eigen::Vector2d(std::cos(i * std::numbers::pi / 48.0),
-                                                                     std::sin(i * std::numbers::pi / 48.0)));
+            std::vector<Eigen::Vector2d> outline = column.outline();
+            if (profile != nullptr)
+            {
+                d["web"] = rounded(profile->web_m);
+                d["flange"] = rounded(profile->flange_m);
+            }
+            else
+            {
+                outline.clear();
+                for (int i = 0; i < 96; ++i)
+                    outline.push_back(column.center +
+                                      circle->radius_m * Eigen::Vector2d(std::cos(i * std::numbers::pi / 48.0),
+                                                                         std::sin(i * std::numbers::pi / 48.0)));
+            }
             d["footprint"] = Json::array({ring(outline)});
         }
     }

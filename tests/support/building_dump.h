@@ -36,10 +36,9 @@ public:
         {
             line("column", c.id), add(c.storey.value), add(c.center), add(c.yaw_rad, c.base_m), add(c.height),
                 add(c.evidence);
-            if (const auto* r = std::get_if<RectangleSection>(&c.section))
-                add(r->width_m, r->depth_m);
-            else
-                add(std::get<CircleSection>(c.section).radius_m);
+            add(boxOf(c.section));
+            if (const auto* p = std::get_if<ProfileSection>(&c.section))
+                m_text += shapeName(p->shape), add(p->web_m, p->flange_m);
         }
         for (const Slab& s : b.slabs)
             line("slab", s.id), add(s.storey.value), add(static_cast<int>(s.kind)), add(s.outline), add(s.top_m),

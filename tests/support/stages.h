@@ -52,7 +52,9 @@ inline StoreyResult storeyOf(const HandMadeCloud& cloud, bool withLabels = true,
     result.openings =
         findOpenings(cells, index, result.level, result.walls.walls,
                      {OpeningKind::Door, OpeningKind::Window, OpeningKind::Plain}, nextId, OpeningParams{}, context);
-    result.columns = findColumns(cells, result.level, result.walls.walls, storey, nextId, ColumnParams{}, context);
+    const CloudView view = cloud.view(withLabels);
+    result.columns =
+        findColumns(cells, {&view, {}}, result.level, result.walls.walls, storey, nextId, ColumnParams{}, context);
     return result;
 }
 

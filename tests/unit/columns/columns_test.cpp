@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numbers>
 
 namespace s2b
 {
@@ -118,28 +120,99 @@ TEST(Columns, FindARoundOneInNoise)
     EXPECT_NEAR(std::get<CircleSection>(c.section).radius_m, 0.2, kSize_m);
 }
 
-TEST(Columns, BoxASteelHSection)
+/// The faces of a section; only those that `isSeen` keeps, by their outward normal and middle in the section's
+/// directions.
+void addSection(HandMadeCloud& cloud, const Section& section, const Eigen::Vector2d& center, double yaw = 0.0,
+                const std::function<bool(const Eigen::Vector2d&, const Eigen::Vector2d&)>& isSeen = {})
 {
-    // HE 300: flanges of 0.3 m along y at x = +-0.15, a web between their middles.
-    HandMadeCloud cloud = hall();
-    const double f = 0.019, w = 0.011;
-    for (const double side : {-1.0, 1.0})
+    const std::vector<Eigen::Vector2d> ring = outlineOf(section);
+    const Eigen::Rotation2Dd turn(yaw);
+    for (std::size_t i = 0; i < ring.size(); ++i)
     {
-        const double outer = 3 + side * 0.15, inner = 3 + side * (0.15 - f);
-        cloud.wallFace({outer, 1.85}, {outer, 2.15}, 0, 2.6, Label::Column);
-        cloud.wallFace({inner, 1.85}, {inner, 2 - w / 2}, 0, 2.6, Label::Column);
-        cloud.wallFace({inner, 2 + w / 2}, {inner, 2.15}, 0, 2.6, Label::Column);
-        cloud.wallFace({outer, 1.85}, {inner, 1.85}, 0, 2.6, Label::Column);
-        cloud.wallFace({outer, 2.15}, {inner, 2.15}, 0, 2.6, Label::Column);
-        cloud.wallFace({2.85 + f, 2 + side * w / 2}, {3.15 - f, 2 + side * w / 2}, 0, 2.6, Label::Column);
+        const Eigen::Vector2d a = ring[i], b = ring[(i + 1) % ring.size()], d = (b - a).normalized();
+        if (!isSeen || isSeen({d.y(), -d.x()}, (a + b) / 2))
+            cloud.wallFace(center + turn * a, center + turn * b, 0, 2.6, Label::Column);
     }
-    const Column c = only(cloud);
-    ASSERT_TRUE(std::holds_alternative<RectangleSection>(c.section));
+}
+
+void expectProfile(const Column& c, const ProfileSection& truth, const Eigen::Vector2d& center, double yaw)
+{
+    ASSERT_TRUE(std::holds_alternative<ProfileSection>(c.section));
+    const auto& section = std::get<ProfileSection>(c.section);
+    EXPECT_STREQ(shapeName(section.shape), shapeName(truth.shape));
+    EXPECT_NEAR(section.width_m, truth.width_m, kPlace_m);
+    EXPECT_NEAR(section.depth_m, truth.depth_m, kPlace_m);
+    EXPECT_NEAR(section.web_m, truth.web_m, kPlace_m);
+    EXPECT_NEAR(section.flange_m, truth.flange_m, kPlace_m);
+    EXPECT_LT((c.center - center).norm(), kPlace_m);
+    const double period = truth.shape == ProfileShape::I ? std::numbers::pi : 2 * std::numbers::pi;
+    EXPECT_NEAR(std::remainder(c.yaw_rad - yaw, period), 0.0, 0.01);
+    EXPECT_EQ(c.sectionProvenance, Provenance::Measured);
+    EXPECT_LT(c.evidence.rms_m, 0.006);
+}
+
+constexpr ProfileSection kHe300{ProfileShape::I, 0.30, 0.30, 0.011, 0.019};
+constexpr ProfileSection kAngle{ProfileShape::L, 0.60, 0.40, 0.18, 0.18};
+
+TEST(Columns, FindSteelAndConcreteSectionsInNoise)
+{
+    for (const ProfileSection& section : {kHe300, kAngle, ProfileSection{ProfileShape::U, 0.10, 0.30, 0.010, 0.016},
+                                          ProfileSection{ProfileShape::T, 0.30, 0.20, 0.012, 0.020}})
+        for (const double yaw : {0.0, 0.5, std::numbers::pi / 2})
+        {
+            SCOPED_TRACE(shapeName(section.shape));
+            HandMadeCloud cloud(0.02, 0.003);
+            cloud.room({1, 0.5}, {5, 4});
+            addSection(cloud, section, {3, 2}, yaw);
+            expectProfile(only(cloud), section, {3, 2}, yaw);
+        }
+}
+
+TEST(Columns, BoxASectionOfWhichTooLittleIsSeenAndSaySo)
+{
+    // From one side, an I may as well be a U.
+    HandMadeCloud cloud = hall();
+    addSection(cloud, kHe300, {3, 2}, 0.0, [](const Eigen::Vector2d& out, const Eigen::Vector2d& middle)
+               { return out.x() > 0.5 || (middle.x() > -0.01 && out.x() > -0.5); });
+    const ColumnResult result = storeyOf(cloud).columns;
+    ASSERT_EQ(result.columns.size(), 1u);
+    ASSERT_TRUE(std::holds_alternative<RectangleSection>(result.columns[0].section));
+    const auto& box = std::get<RectangleSection>(result.columns[0].section);
     // Both faces of a flange of 19 mm fall into the same cells: its position is their mean, up to half of it further
     // in.
-    EXPECT_NEAR(std::get<RectangleSection>(c.section).width_m, 0.3, 0.02);
-    EXPECT_NEAR(std::get<RectangleSection>(c.section).depth_m, 0.3, 0.02);
-    EXPECT_LT((c.center - Eigen::Vector2d(3, 2)).norm(), 0.01);
+    EXPECT_NEAR(box.width_m, 0.3, 0.02);
+    EXPECT_NEAR(box.depth_m, 0.3, 0.02);
+    ASSERT_EQ(test::countCode(result.diagnostics, "SectionAsBox"), 1u);
+}
+
+TEST(Columns, LookForSectionsOnlyWhenAsked)
+{
+    HandMadeCloud cloud = hall();
+    addSection(cloud, kHe300, {3, 2});
+    ColumnParams params;
+    params.profiles = false;
+    std::uint32_t nextId = 1;
+    Level level;
+    level.ceiling_m = 2.6;
+    const CloudView view = cloud.view();
+    const ColumnResult result = findColumns(test::cellsOf(cloud), {&view, {}}, level, {}, {1}, nextId, params, {});
+    ASSERT_EQ(result.columns.size(), 1u);
+    EXPECT_TRUE(std::holds_alternative<RectangleSection>(result.columns[0].section));
+    EXPECT_TRUE(result.diagnostics.empty());
+}
+
+TEST(Columns, SayNothingOfSectionsWhereTheyAreRectanglesAndCircles)
+{
+    HandMadeCloud cloud(0.02, 0.003);
+    cloud.room({0, 0}, {8, 4});
+    addBox(cloud, {2, 2}, 0.3, 0.5, 0.5);
+    addBox(cloud, {4, 2}, 0.4, 0.4);
+    cloud.mantle({6, 2}, 0.2, 0, 2.6, Label::Column);
+    const ColumnResult result = storeyOf(cloud).columns;
+    EXPECT_EQ(result.columns.size(), 3u);
+    EXPECT_EQ(test::countCode(result.diagnostics, "SectionAsBox"), 0u);
+    for (const Column& c : result.columns)
+        EXPECT_FALSE(std::holds_alternative<ProfileSection>(c.section));
 }
 
 TEST(Columns, TellDozensApart)
