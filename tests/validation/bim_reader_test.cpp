@@ -3,6 +3,7 @@
 #include "ifc/bim_reader.h"
 #include "core/geometry/polygon.h"
 #include "ifc/ifc_writer.h"
+#include "tests/support/ifc_text.h"
 #include "tests/validation/sample_bims.h"
 
 #include <gmock/gmock.h>
@@ -142,6 +143,38 @@ TEST(BimReader, OpeningsAreCutOutOfWallsOfAnyForm)
     EXPECT_NEAR(std::abs(volumeOf(one(bim, ElementClass::Wall, 2).mesh)), 0.2 * (6.0 * 3.0 + 6.0 - 1.0), kExact);
 }
 
+TEST(BimReader, AProfileIsComparedByTheBoxAroundIt)
+{
+    const Folder folder;
+    Building b = building();
+    std::vector<ProfileSection> sections{{ProfileShape::I, 0.30, 0.28, 0.011, 0.019},
+                                         {ProfileShape::L, 0.25, 0.20, 0.020, 0.020},
+                                         {ProfileShape::L, 0.20, 0.20, 0.010, 0.010},
+                                         {ProfileShape::U, 0.10, 0.30, 0.010, 0.016},
+                                         {ProfileShape::T, 0.30, 0.15, 0.011, 0.019}};
+    b.columns.resize(1);
+    for (std::size_t i = 0; i < sections.size(); ++i)
+    {
+        s2b::Column column = b.columns[0];
+        column.id = {static_cast<std::uint32_t>(40 + i)};
+        column.center.x() += 1.0 + static_cast<double>(i);
+        column.yaw_rad = 0.3;
+        column.section = sections[i];
+        b.columns.push_back(column);
+    }
+    ifc::writeIfc(b, folder.file("a.ifc"), {});
+    const Bim bim = ifc::readBim(folder.file("a.ifc"));
+    for (std::size_t i = 0; i < sections.size(); ++i)
+    {
+        const BimElement& e = one(bim, ElementClass::Column, i + 1);
+        EXPECT_NEAR(area(e.plan), sections[i].width_m * sections[i].depth_m, kExact) << shapeName(sections[i].shape);
+        const Eigen::Vector2d center =
+            (b.frame.toWorld({b.columns[i + 1].center.x(), b.columns[i + 1].center.y(), 0.0}) - bim.origin).head<2>();
+        EXPECT_LT((centroid(e.plan) - center).norm(), kExact);
+        EXPECT_NEAR(volumeOf(e.mesh), areaOf(sections[i]) * 3.0, kExact) << "as built";
+    }
+}
+
 TEST(BimReader, ARoundColumnIsRound)
 {
     const Folder folder;
@@ -169,57 +202,10 @@ TEST(BimReader, AMapConversionIsAppliedWhereItBringsTheModelsTogether)
     EXPECT_NEAR(map.storeys[0].elevation_m + map.origin.z(), 120.0, kExact);
 }
 
-/// IFC2X3 in millimetres: a wall of 4000 x 300 x 2500 at z = 3500, its body a mapped item, and a window of the same
-/// body that is a part of a curtain wall.
-const char* const kCurtainWall = R"(ISO-10303-21;
-HEADER;
-FILE_DESCRIPTION((''),'2;1');
-FILE_NAME('','',(''),(''),'','','');
-FILE_SCHEMA(('IFC2X3'));
-ENDSEC;
-DATA;
-#1=IFCCARTESIANPOINT((0.,0.,0.));
-#2=IFCAXIS2PLACEMENT3D(#1,$,$);
-#3=IFCGEOMETRICREPRESENTATIONCONTEXT($,'Model',3,0.01,#2,$);
-#4=IFCSIUNIT(*,.LENGTHUNIT.,.MILLI.,.METRE.);
-#5=IFCUNITASSIGNMENT((#4));
-#6=IFCPERSON($,'x',$,$,$,$,$,$);
-#7=IFCORGANIZATION($,'x',$,$,$);
-#8=IFCPERSONANDORGANIZATION(#6,#7,$);
-#9=IFCAPPLICATION(#7,'1','x','x');
-#10=IFCOWNERHISTORY(#8,#9,$,.ADDED.,$,$,$,0);
-#11=IFCPROJECT('0000000000000000000001',#10,'P',$,$,$,$,(#3),#5);
-#12=IFCCARTESIANPOINT((0.,0.,3000.));
-#13=IFCAXIS2PLACEMENT3D(#12,$,$);
-#14=IFCLOCALPLACEMENT($,#13);
-#15=IFCBUILDINGSTOREY('0000000000000000000002',#10,'Upper',$,$,#14,$,$,.ELEMENT.,3000.);
-#16=IFCCARTESIANPOINT((1000.,2000.,500.));
-#17=IFCAXIS2PLACEMENT3D(#16,$,$);
-#18=IFCLOCALPLACEMENT(#14,#17);
-#19=IFCCARTESIANPOINT((2000.,150.));
-#20=IFCAXIS2PLACEMENT2D(#19,$);
-#21=IFCRECTANGLEPROFILEDEF(.AREA.,$,#20,4000.,300.);
-#22=IFCDIRECTION((0.,0.,1.));
-#23=IFCEXTRUDEDAREASOLID(#21,#2,#22,2500.);
-#24=IFCSHAPEREPRESENTATION(#3,'Body','SweptSolid',(#23));
-#25=IFCREPRESENTATIONMAP(#2,#24);
-#26=IFCCARTESIANTRANSFORMATIONOPERATOR3D($,$,#1,1.,$);
-#27=IFCMAPPEDITEM(#25,#26);
-#28=IFCSHAPEREPRESENTATION(#3,'Body','MappedRepresentation',(#27));
-#29=IFCPRODUCTDEFINITIONSHAPE($,$,(#28));
-#30=IFCWALLSTANDARDCASE('0000000000000000000003',#10,'W',$,$,#18,#29,$);
-#31=IFCCURTAINWALL('0000000000000000000004',#10,'C',$,$,#18,$,$);
-#32=IFCWINDOW('0000000000000000000005',#10,'Pane',$,$,#18,#29,$,$,$);
-#33=IFCRELAGGREGATES('0000000000000000000006',#10,$,$,#31,(#32));
-#38=IFCRELCONTAINEDINSPATIALSTRUCTURE('000000000000000000000B',#10,$,$,(#30,#31),#15);
-ENDSEC;
-END-ISO-10303-21;
-)";
-
 TEST(BimReader, ReadsIfc2x3InMillimetresAndCountsWindowsOfCurtainWalls)
 {
     const Folder folder;
-    const Bim bim = ifc::readBim(folder.write("a.ifc", kCurtainWall));
+    const Bim bim = ifc::readBim(folder.write("a.ifc", stepFile("IFC2X3", kMillimetreModel)));
     EXPECT_EQ(bim.schema, "IFC2X3");
     ASSERT_EQ(bim.elements.size(), 2U) << "a curtain wall is no wall";
     const BimElement& wall = one(bim, ElementClass::Wall);
@@ -235,7 +221,7 @@ TEST(BimReader, ReadsIfc2x3InMillimetresAndCountsWindowsOfCurtainWalls)
 TEST(BimReader, AWallOfPartsHasTheBodyOfItsParts)
 {
     // The same file, but the body belongs to a part of the wall.
-    std::string text = kCurtainWall;
+    std::string text = stepFile("IFC2X3", kMillimetreModel);
     const auto replace = [&](const std::string& from, const std::string& to)
     { text.replace(text.find(from), from.size(), to); };
     replace("#30=IFCWALLSTANDARDCASE('0000000000000000000003',#10,'W',$,$,#18,#29,$);",

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// IFC files written by hand, as other programs write them.
+#pragma once
+
+#include <string>
+
+namespace s2b::test
+{
+
+/// A file with the given data section.
+inline std::string stepFile(const std::string& schema, const std::string& data)
+{
+    return "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\nFILE_SCHEMA(("
+           "'" +
+           schema + "'));\nENDSEC;\nDATA;\n" + data + "ENDSEC;\nEND-ISO-10303-21;\n";
+}
+
+/// Millimetres; a wall of 4000 x 300 x 2500 at (1000, 2000, 500) on a storey at 3000, its body a mapped item; a window
+/// that is a part of a curtain wall; a chair in a space.
+inline const char* const kMillimetreModel = R"(
+#1=IFCCARTESIANPOINT((0.,0.,0.));
+#2=IFCAXIS2PLACEMENT3D(#1,$,$);
+#3=IFCGEOMETRICREPRESENTATIONCONTEXT($,'Model',3,0.01,#2,$);
+#4=IFCSIUNIT(*,.LENGTHUNIT.,.MILLI.,.METRE.);
+#5=IFCUNITASSIGNMENT((#4));
+#6=IFCPERSON($,'x',$,$,$,$,$,$);
+#7=IFCORGANIZATION($,'x',$,$,$);
+#8=IFCPERSONANDORGANIZATION(#6,#7,$);
+#9=IFCAPPLICATION(#7,'1','x','x');
+#10=IFCOWNERHISTORY(#8,#9,$,.ADDED.,$,$,$,0);
+#11=IFCPROJECT('0000000000000000000001',#10,'P',$,$,$,$,(#3),#5);
+#12=IFCCARTESIANPOINT((0.,0.,3000.));
+#13=IFCAXIS2PLACEMENT3D(#12,$,$);
+#14=IFCLOCALPLACEMENT($,#13);
+#15=IFCBUILDINGSTOREY('0000000000000000000002',#10,'Upper',$,$,#14,$,$,.ELEMENT.,3000.);
+#16=IFCCARTESIANPOINT((1000.,2000.,500.));
+#17=IFCAXIS2PLACEMENT3D(#16,$,$);
+#18=IFCLOCALPLACEMENT(#14,#17);
+#19=IFCCARTESIANPOINT((2000.,150.));
+#20=IFCAXIS2PLACEMENT2D(#19,$);
+#21=IFCRECTANGLEPROFILEDEF(.AREA.,$,#20,4000.,300.);
+#22=IFCDIRECTION((0.,0.,1.));
+#23=IFCEXTRUDEDAREASOLID(#21,#2,#22,2500.);
+#24=IFCSHAPEREPRESENTATION(#3,'Body','SweptSolid',(#23));
+#25=IFCREPRESENTATIONMAP(#2,#24);
+#26=IFCCARTESIANTRANSFORMATIONOPERATOR3D($,$,#1,1.,$);
+#27=IFCMAPPEDITEM(#25,#26);
+#28=IFCSHAPEREPRESENTATION(#3,'Body','MappedRepresentation',(#27));
+#29=IFCPRODUCTDEFINITIONSHAPE($,$,(#28));
+#30=IFCWALLSTANDARDCASE('0000000000000000000003',#10,'W',$,$,#18,#29,$);
+#31=IFCCURTAINWALL('0000000000000000000004',#10,'C',$,$,#18,$,$);
+#32=IFCWINDOW('0000000000000000000005',#10,'Pane',$,$,#18,#29,$,$,$);
+#33=IFCRELAGGREGATES('0000000000000000000006',#10,$,$,#31,(#32));
+#34=IFCSPACE('0000000000000000000007',#10,'S',$,$,#14,$,$,.ELEMENT.,.INTERNAL.,$);
+#35=IFCRELAGGREGATES('0000000000000000000008',#10,$,$,#15,(#34));
+#36=IFCFURNISHINGELEMENT('0000000000000000000009',#10,'Chair',$,$,#18,#29,$);
+#37=IFCRELCONTAINEDINSPATIALSTRUCTURE('000000000000000000000A',#10,$,$,(#36),#34);
+#38=IFCRELCONTAINEDINSPATIALSTRUCTURE('000000000000000000000B',#10,$,$,(#30,#31),#15);
+)";
+
+}  // namespace s2b::test
