@@ -81,6 +81,8 @@ def measure(options, folder, mode):
     out = options.out / f"{name}.json"
     command = [options.build / "tests/bench/s2b_quality", folder / "scan.laz", folder / "gt.json", "--mode", mode,
                "--ifc", options.out / f"{name}.ifc", "--json", out]
+    if options.stations:
+        command += ["--stations", folder / "gt.json"]
     for assignment in options.set:
         command += ["--set", assignment]
     run(command)
@@ -159,6 +161,8 @@ def main():
     parser.add_argument("--modes", default=",".join(MODES), help="given, degraded, geometry (default: all)")
     parser.add_argument("--surveys", help="only these, by name, comma separated")
     parser.add_argument("--out", type=Path, help="where models, scores and the page go (default: build/bench)")
+    parser.add_argument("--stations", action="store_true",
+                        help="tell the reconstruction where the scanner stood (gt.json) and which points it saw from there")
     parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="a parameter of the reconstruction")
     parser.add_argument("--jobs", type=int, default=1,
                         help="surveys at a time; times are only comparable with 1 (default)")

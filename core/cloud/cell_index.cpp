@@ -10,12 +10,12 @@ CellIndex::CellIndex(const SurfaceCells& cells, double zMin, double zMax) : m_ce
 {
     std::vector<std::uint32_t> inside;
     Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    for (std::size_t i = 0; i < cells.cells.size(); ++i)
+    for (const SurfaceCell& c : cells.between(zMin, zMax))
     {
-        const Eigen::Vector3f& p = cells.cells[i].position;
+        const Eigen::Vector3f& p = c.position;
         if (static_cast<double>(p.z()) < zMin || static_cast<double>(p.z()) > zMax)
             continue;
-        inside.push_back(static_cast<std::uint32_t>(i));
+        inside.push_back(static_cast<std::uint32_t>(&c - cells.cells.data()));
         low = low.cwiseMin(p.head<2>().cast<double>());
         high = high.cwiseMax(p.head<2>().cast<double>());
     }

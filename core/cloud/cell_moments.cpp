@@ -9,7 +9,8 @@ namespace s2b
 namespace
 {
 
-constexpr int kUnits = 4096;  // positions within a cell, as whole numbers
+constexpr int kUnits = 4096;      // positions within a cell, as whole numbers
+constexpr int kViewUnits = 1024;  // unit vectors, as whole numbers
 
 /// To the nearest whole number, halves away from zero.
 std::int32_t nearest(double v)
@@ -28,6 +29,20 @@ CellGatherer::CellGatherer(const CloudView& cloud, const Blocks& blocks, int cel
                  static_cast<std::size_t>(cellsPerBlock),
              -1)
 {
+}
+
+void CellGatherer::addView(PointIndex point, Sums& sums) const
+{
+    const std::uint16_t station = m_cloud.stations.of(point);
+    if (station == StationView::kUnknown)
+        return;
+    const Eigen::Vector3d to = m_cloud.stations.positions[station] - pointAt(m_cloud, point).cast<double>();
+    const double distance = to.norm();
+    if (!(distance > 1e-6))
+        return;
+    ++sums.viewed;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        sums.view[axis] += nearest(to[static_cast<Eigen::Index>(axis)] / distance * kViewUnits);
 }
 
 void CellGatherer::addPoints(std::uint32_t block, const Eigen::Vector3i& firstCell)
@@ -67,6 +82,8 @@ void CellGatherer::addPoints(std::uint32_t block, const Eigen::Vector3i& firstCe
         sums.square[5] += z * z;
         if (m_cloud.labels)
             ++sums.votes[std::min<std::size_t>(m_cloud.labels[i], kLabelCount - 1)];
+        if (!m_cloud.stations.empty())
+            addView(i, sums);
     }
 }
 
@@ -74,9 +91,9 @@ Moments CellGatherer::momentsOf(const Sums& sums) const
 {
     Moments m;
     const int key = static_cast<int>(sums.key);
-    m.local = {static_cast<std::int16_t>(key % m_cellsPerBlock),
-               static_cast<std::int16_t>(key / m_cellsPerBlock % m_cellsPerBlock),
-               static_cast<std::int16_t>(key / m_cellsPerBlock / m_cellsPerBlock)};
+    m.local = {static_cast<std::uint8_t>(key % m_cellsPerBlock),
+               static_cast<std::uint8_t>(key / m_cellsPerBlock % m_cellsPerBlock),
+               static_cast<std::uint8_t>(key / m_cellsPerBlock / m_cellsPerBlock)};
     m.count = sums.count;
     for (std::size_t a = 0; a < 3; ++a)
         m.sum[a] = static_cast<float>(static_cast<double>(sums.sum[a]) / kUnits);
@@ -88,6 +105,9 @@ Moments CellGatherer::momentsOf(const Sums& sums) const
         m.label = static_cast<Label>(best - sums.votes.begin());
         m.labelShare = static_cast<std::uint8_t>(255.0 * *best / sums.count);
     }
+    for (std::size_t a = 0; a < 3 && sums.viewed > 0; ++a)
+        m.view[a] = static_cast<std::int8_t>(
+            nearest(127.0 * static_cast<double>(sums.view[a]) / (static_cast<double>(kViewUnits) * sums.viewed)));
     return m;
 }
 
@@ -106,6 +126,16 @@ std::vector<Moments> CellGatherer::gather(std::uint32_t block, const Eigen::Vect
         cells.push_back(momentsOf(m_sums[static_cast<std::uint32_t>(s)]));
     m_sums.clear();
     m_sorted.clear();
+    return cells;
+}
+
+std::size_t CellGatherer::count(std::uint32_t block, const Eigen::Vector3i& firstCell)
+{
+    addPoints(block, firstCell);
+    const std::size_t cells = m_sums.size();
+    for (const Sums& sums : m_sums)
+        m_slot[sums.key] = -1;
+    m_sums.clear();
     return cells;
 }
 

@@ -16,9 +16,11 @@ namespace s2b
 /// The points of one cell of a block: how many, their sums, and what most of them are.
 struct Moments
 {
-    std::array<std::int16_t, 3> local{};  ///< cell within the block, 0..cells per block - 1
+    std::array<std::uint8_t, 3> local{};  ///< cell within the block, 0..cells per block - 1
     Label label = Label::Unassigned;
     std::uint8_t labelShare = 0;
+    std::array<std::int8_t, 3>
+        view{};  ///< mean direction to the stations that the points were measured from, 127 = 1; 0 when none is known
     std::uint32_t count = 0;
     std::array<float, 3> sum{};     ///< of positions relative to the cell's centre, in cells
     std::array<float, 6> square{};  ///< xx xy xz yy yz zz
@@ -32,6 +34,8 @@ public:
 
     /// Cells of one block, sorted by (z, y, x). Independent of the order of the points.
     [[nodiscard]] std::vector<Moments> gather(std::uint32_t block, const Eigen::Vector3i& firstCell);
+    /// How many cells of a block hold points.
+    [[nodiscard]] std::size_t count(std::uint32_t block, const Eigen::Vector3i& firstCell);
 
 private:
     /// Whole numbers: a sum of them is the same in any order.
@@ -42,8 +46,11 @@ private:
         std::array<std::int64_t, 3> sum{};
         std::array<std::int64_t, 6> square{};
         std::array<std::uint32_t, kLabelCount> votes{};
+        std::array<std::int64_t, 3> view{};  ///< of unit vectors to the stations, in kViewUnits
+        std::uint32_t viewed = 0;            ///< points whose station is known
     };
     void addPoints(std::uint32_t block, const Eigen::Vector3i& firstCell);
+    void addView(PointIndex point, Sums& sums) const;
     [[nodiscard]] Moments momentsOf(const Sums& sums) const;
 
     const CloudView& m_cloud;

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace s2b
@@ -27,6 +28,23 @@ struct PointCloud
     [[nodiscard]] bool hasLabels() const noexcept { return !labels.empty(); }
 };
 
+/// Where the scanner stood, and which of its points were measured from where.
+struct StationView
+{
+    static constexpr std::uint16_t kUnknown = 0xffff;
+
+    std::span<const Eigen::Vector3d> positions;  ///< relative to the cloud's origin; at most 65534
+    const std::uint16_t* ofPoint = nullptr;  ///< index of positions or kUnknown, one a point; null: not known of any
+
+    [[nodiscard]] bool empty() const noexcept { return positions.empty(); }
+    /// kUnknown when it isn't known. What was measured from a single station needs no ids.
+    [[nodiscard]] std::uint16_t of(std::size_t point) const
+    {
+        const std::uint16_t s = ofPoint ? ofPoint[point] : positions.size() == 1 ? std::uint16_t{0} : kUnknown;
+        return s < positions.size() ? s : kUnknown;
+    }
+};
+
 /// A cloud to read, as its owner stores it: no copy is made. Everything is a view; the owner outlives it.
 ///
 /// `xyz` has 3 floats a point. Georeferenced coordinates are `origin + xyz`.
@@ -38,6 +56,7 @@ struct CloudView
     const std::uint8_t* labels = nullptr;  ///< values of Label, one a point; null without labels
     const std::uint8_t* rgb = nullptr;     ///< red, green, blue of the first point; null without colours
     std::size_t rgbStride = 3;             ///< bytes from one point's colour to the next one's
+    StationView stations{};                ///< empty when nothing is known of them
 };
 
 }  // namespace s2b

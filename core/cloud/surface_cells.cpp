@@ -4,8 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/cloud/blocks.h"
 #include "core/cloud/cell_moments.h"
-
-#include <Eigen/Eigenvalues>
+#include "core/cloud/cell_normals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,99 +15,213 @@ namespace s2b
 namespace
 {
 
-constexpr int kHalo = 2;  // cells around a block that its normals look at
+// Mean cosine between normal and view: 8 degrees off the surface; less is noise in the normal, or was seen from both
+// sides.
+constexpr float kLeastFacing = 0.14f;
+constexpr double kLeastFlat = 0.35;        // smallest to middle variance of what still has a direction
+constexpr std::size_t kBlockChunk = 16;    // blocks that one thread takes at a time
+constexpr std::size_t kSampledBlock = 16;  // every so many blocks are counted first
 
-/// Sum of moments about a common centre.
-struct Accumulated
+/// A whole number of cells per block keeps cells and blocks aligned.
+int cellsPerBlockOf(double spacing_m, const CellParams& params)
 {
-    double n = 0;
-    Eigen::Vector3d s = Eigen::Vector3d::Zero();
-    Eigen::Matrix3d q = Eigen::Matrix3d::Zero();  // lower triangle
-
-    void add(const Moments& m, int dx, int dy, int dz)
-    {
-        const double c = m.count;
-        const double sx = m.sum[0], sy = m.sum[1], sz = m.sum[2];
-        n += c;
-        s += Eigen::Vector3d(sx + c * dx, sy + c * dy, sz + c * dz);
-        q(0, 0) += m.square[0] + 2 * dx * sx + c * dx * dx;
-        q(1, 0) += m.square[1] + dx * sy + dy * sx + c * dx * dy;
-        q(2, 0) += m.square[2] + dx * sz + dz * sx + c * dx * dz;
-        q(1, 1) += m.square[3] + 2 * dy * sy + c * dy * dy;
-        q(2, 1) += m.square[4] + dy * sz + dz * sy + c * dy * dz;
-        q(2, 2) += m.square[5] + 2 * dz * sz + c * dz * dz;
-    }
-};
-
-struct Normal
-{
-    Eigen::Vector3f direction = Eigen::Vector3f::Zero();
-    float flatness = 0;  // in cells
-    double ratio = 1.0;  // smallest to middle variance
-    bool valid = false;
-};
-
-Normal normalOf(const Accumulated& a, int minimum)
-{
-    Normal result;
-    if (a.n < minimum)
-        return result;
-    Eigen::Matrix3d c = a.q / a.n;
-    const Eigen::Vector3d mean = a.s / a.n;
-    c -= mean * mean.transpose();
-    c(0, 1) = c(1, 0);
-    c(0, 2) = c(2, 0);
-    c(1, 2) = c(2, 1);
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-    solver.computeDirect(c);
-    const Eigen::Vector3d values = solver.eigenvalues().cwiseMax(0.0);
-    result.ratio = values[1] > 1e-9 ? values[0] / values[1] : 1.0;
-    result.direction = solver.eigenvectors().col(0).normalized().cast<float>();
-    result.flatness = static_cast<float>(std::sqrt(values[0]));
-    result.valid = result.direction.allFinite();
-    return result;
+    const double wanted = std::clamp(spacing_m * params.spacingsPerCell, params.size_m, 0.25 * kBlock_m);
+    return std::max(4, static_cast<int>(std::floor(kBlock_m / wanted + 1e-9)));
 }
 
-/// Looks cells up around one block: a dense index grid with a halo, cleared by undoing what was set.
-class Neighbourhood
+/// Gathers cells and finds their normals layer by layer of blocks, from below: only three layers of moments are kept at
+/// a time, which take more memory than the cells themselves.
+class CellBuilder
 {
 public:
-    explicit Neighbourhood(int cellsPerBlock)
-        : m_edge(cellsPerBlock + 2 * kHalo),
-          m_index(
-              static_cast<std::size_t>(m_edge) * static_cast<std::size_t>(m_edge) * static_cast<std::size_t>(m_edge),
-              nullptr)
+    CellBuilder(const CloudView& cloud, const Blocks& blocks, int cellsPerBlock, const CellParams& params,
+                const Context& context)
+        : m_cloud(cloud),
+          m_blocks(blocks),
+          m_cellsPerBlock(cellsPerBlock),
+          m_params(params),
+          m_context(context),
+          m_moments(blocks.occupied.size()),
+          m_slotOfBlock(blocks.start.size() - 1, -1)
     {
+        for (std::size_t k = 0; k < blocks.occupied.size(); ++k)
+            m_slotOfBlock[blocks.occupied[k]] = static_cast<std::int32_t>(k);
+        const auto perLayer = static_cast<std::uint32_t>(blocks.size.x() * blocks.size.y());
+        for (int z = 0; z <= blocks.size.z(); ++z)
+            m_firstOfLayer.push_back(
+                static_cast<std::size_t>(std::lower_bound(blocks.occupied.begin(), blocks.occupied.end(),
+                                                          perLayer * static_cast<std::uint32_t>(z)) -
+                                         blocks.occupied.begin()));
     }
-    void set(int x, int y, int z, const Moments* m)
+
+    /// @param firstOfLayer  as SurfaceCells::firstOfLayer
+    [[nodiscard]] std::vector<SurfaceCell> build(std::vector<std::size_t>& firstOfLayer)
     {
-        const std::size_t i = at(x, y, z);
-        m_index[i] = m;
-        m_set.push_back(i);
-    }
-    [[nodiscard]] const Moments* get(int x, int y, int z) const { return m_index[at(x, y, z)]; }
-    [[nodiscard]] bool holds(int v) const { return v >= -kHalo && v < m_edge - kHalo; }
-    void clear()
-    {
-        for (const std::size_t i : m_set)
-            m_index[i] = nullptr;
-        m_set.clear();
+        std::vector<SurfaceCell> cells;
+        cells.reserve(expectedCells());
+        firstOfLayer.assign(1, 0);
+        const std::size_t layers = m_firstOfLayer.size() - 1;
+        gather(0);
+        for (std::size_t z = 0; z < layers; ++z)
+        {
+            if (z + 1 < layers)
+                gather(z + 1);
+            append(z, cells);
+            firstOfLayer.push_back(cells.size());
+            if (z > 0)
+                for (std::size_t k = m_firstOfLayer[z - 1]; k < m_firstOfLayer[z]; ++k)
+                    m_moments[k] = {};
+        }
+        return cells;
     }
 
 private:
-    [[nodiscard]] std::size_t at(int x, int y, int z) const
+    [[nodiscard]] Eigen::Vector3i coordinates(std::size_t slot) const
     {
-        return static_cast<std::size_t>(x + kHalo) +
-               static_cast<std::size_t>(m_edge) *
-                   (static_cast<std::size_t>(y + kHalo) +
-                    static_cast<std::size_t>(m_edge) * static_cast<std::size_t>(z + kHalo));
+        const int nx = m_blocks.size.x(), ny = m_blocks.size.y(), v = static_cast<int>(m_blocks.occupied[slot]);
+        return {v % nx, v / nx % ny, v / nx / ny};
     }
-    int m_edge;
-    std::vector<const Moments*> m_index;
-    std::vector<std::size_t> m_set;
+    [[nodiscard]] Eigen::Vector3i firstCell(std::size_t slot) const
+    {
+        return (coordinates(slot) + m_blocks.low.matrix()) * m_cellsPerBlock;
+    }
+
+    /// About how many cells there will be, so that their memory need not grow, and be copied, on the way.
+    [[nodiscard]] std::size_t expectedCells() const
+    {
+        const std::size_t samples = (m_blocks.occupied.size() + kSampledBlock - 1) / kSampledBlock;
+        std::vector<std::size_t> counts(samples, 0);
+        parallelChunks(samples, kBlockChunk, m_context,
+                       [&](std::size_t begin, std::size_t end)
+                       {
+                           CellGatherer gatherer(m_cloud, m_blocks, m_cellsPerBlock);
+                           for (std::size_t i = begin; i < end; ++i)
+                               counts[i] =
+                                   gatherer.count(m_blocks.occupied[i * kSampledBlock], firstCell(i * kSampledBlock));
+                       });
+        std::size_t sum = 0;
+        for (const std::size_t c : counts)
+            sum += c;
+        return static_cast<std::size_t>(1.1 * static_cast<double>(sum) * static_cast<double>(m_blocks.occupied.size()) /
+                                        static_cast<double>(samples));
+    }
+
+    void gather(std::size_t layer)
+    {
+        const std::size_t first = m_firstOfLayer[layer];
+        parallelChunks(m_firstOfLayer[layer + 1] - first, kBlockChunk, m_context,
+                       [&](std::size_t begin, std::size_t end)
+                       {
+                           CellGatherer gatherer(m_cloud, m_blocks, m_cellsPerBlock);
+                           for (std::size_t k = first + begin; k < first + end; ++k)
+                               m_moments[k] = gatherer.gather(m_blocks.occupied[k], firstCell(k));
+                       });
+        m_context.checkCancelled();
+    }
+
+    void append(std::size_t layer, std::vector<SurfaceCell>& cells) const
+    {
+        const std::size_t first = m_firstOfLayer[layer], count = m_firstOfLayer[layer + 1] - first;
+        std::vector<std::size_t> firstOut(count + 1, cells.size());
+        for (std::size_t k = 0; k < count; ++k)
+            firstOut[k + 1] = firstOut[k] + m_moments[first + k].size();
+        if (firstOut[count] > cells.capacity())
+            cells.reserve(firstOut[count] + firstOut[count] / 4);
+        cells.resize(firstOut[count]);
+        parallelChunks(count, kBlockChunk, m_context,
+                       [&](std::size_t begin, std::size_t end)
+                       {
+                           NormalFinder normals(m_cellsPerBlock, m_params.minimumNeighbours);
+                           for (std::size_t k = begin; k < end; ++k)
+                           {
+                               normals.lookAt(around(first + k));
+                               const Eigen::Vector3d low = firstCell(first + k).cast<double>();
+                               std::size_t out = firstOut[k];
+                               for (const Moments& m : m_moments[first + k])
+                                   cells[out++] = cellOf(m, low, normals.of(m));
+                           }
+                       });
+        m_context.checkCancelled();
+    }
+
+    [[nodiscard]] NormalFinder::Around around(std::size_t slot) const
+    {
+        NormalFinder::Around blocks{};
+        const Eigen::Vector3i here = coordinates(slot);
+        for (int dz = -1; dz <= 1; ++dz)
+            for (int dy = -1; dy <= 1; ++dy)
+                for (int dx = -1; dx <= 1; ++dx)
+                {
+                    const Eigen::Array3i other = here.array() + Eigen::Array3i(dx, dy, dz);
+                    if ((other < 0).any() || (other >= m_blocks.size).any())
+                        continue;
+                    const std::int32_t at = m_slotOfBlock[static_cast<std::size_t>(other.x()) +
+                                                          static_cast<std::size_t>(m_blocks.size.x()) *
+                                                              (static_cast<std::size_t>(other.y()) +
+                                                               static_cast<std::size_t>(m_blocks.size.y()) *
+                                                                   static_cast<std::size_t>(other.z()))];
+                    if (at >= 0)
+                        blocks[static_cast<std::size_t>(dx + 1 + 3 * (dy + 1) + 9 * (dz + 1))] =
+                            &m_moments[static_cast<std::size_t>(at)];
+                }
+        return blocks;
+    }
+
+    [[nodiscard]] SurfaceCell cellOf(const Moments& m, const Eigen::Vector3d& low, const CellNormal& normal) const
+    {
+        const double size = kBlock_m / m_cellsPerBlock;
+        SurfaceCell cell;
+        const Eigen::Vector3d mean(m.sum[0], m.sum[1], m.sum[2]);
+        cell.position =
+            ((low + Eigen::Vector3d(m.local[0] + 0.5, m.local[1] + 0.5, m.local[2] + 0.5) + mean / m.count) * size)
+                .cast<float>();
+        cell.count = m.count;
+        cell.label = m.label;
+        cell.labelShare = m.labelShare;
+        cell.flatness = normal.flatness * static_cast<float>(size);
+        if (normal.valid && normal.ratio < kLeastFlat)
+        {
+            cell.normal = normal.direction;
+            const float facing = normal.direction.dot(Eigen::Vector3f(m.view[0], m.view[1], m.view[2])) / 127.0f;
+            cell.facesScanner = std::abs(facing) > kLeastFacing;
+            if (cell.facesScanner && facing < 0)
+                cell.normal = -cell.normal;
+        }
+        return cell;
+    }
+
+    const CloudView& m_cloud;
+    const Blocks& m_blocks;
+    int m_cellsPerBlock;
+    const CellParams& m_params;
+    const Context& m_context;
+    std::vector<std::vector<Moments>> m_moments;  ///< by occupied block; of three layers at a time
+    std::vector<std::int32_t> m_slotOfBlock;      ///< by block of the grid: index among the occupied, or -1
+    std::vector<std::size_t> m_firstOfLayer;      ///< among the occupied, and one more
 };
 
 }  // namespace
+
+SurfaceCells SurfaceCells::empty() const
+{
+    SurfaceCells none;
+    none.size_m = size_m, none.spacing_m = spacing_m;
+    none.hasLabels = hasLabels, none.hasStations = hasStations;
+    return none;
+}
+
+std::span<const SurfaceCell> SurfaceCells::between(double zMin, double zMax) const
+{
+    if (firstOfLayer.size() < 2)
+        return cells;
+    constexpr double rounding_m = 0.01;
+    const auto layerAt = [&](double z, double layers)
+    { return static_cast<std::size_t>(std::clamp(std::floor((z - lowestLayer_m) / kBlock_m), 0.0, layers)); };
+    const auto layers = static_cast<double>(firstOfLayer.size() - 1);
+    const std::size_t first = firstOfLayer[layerAt(zMin - rounding_m, layers)],
+                      last = firstOfLayer[layerAt(zMax + rounding_m + kBlock_m, layers)];
+    return std::span(cells).subspan(first, std::max(first, last) - first);
+}
 
 SurfaceCells buildSurfaceCells(const CloudView& cloud, const KeptRegion& region, const CellParams& params,
                                const Context& context)
@@ -117,122 +230,16 @@ SurfaceCells buildSurfaceCells(const CloudView& cloud, const KeptRegion& region,
         throw Error(ErrorCode::EmptyCloud, "the cloud has no points");
     if (cloud.count > std::numeric_limits<PointIndex>::max())
         throw Error(ErrorCode::BadFile, "the cloud has more than 4294967295 points; subsample it first");
-    Blocks blocks = sortIntoBlocks(cloud, region, context);
+    const Blocks blocks = sortIntoBlocks(cloud, region, context);
 
     SurfaceCells result;
     result.hasLabels = cloud.labels != nullptr;
+    result.hasStations = !cloud.stations.empty();
     result.spacing_m = estimateSpacing(cloud, blocks);
-    // A whole number of cells per block keeps cells and blocks aligned.
-    const double wanted = std::clamp(result.spacing_m * params.spacingsPerCell, params.size_m, 0.25 * kBlock_m);
-    const int cellsPerBlock = std::max(4, static_cast<int>(std::floor(kBlock_m / wanted + 1e-9)));
-    const double size = kBlock_m / cellsPerBlock;
-    result.size_m = size;
-
-    const std::size_t blockCount = blocks.occupied.size();
-    std::vector<std::vector<Moments>> moments(blockCount);
-    std::vector<std::int32_t> slotOfBlock(blocks.start.size() - 1, -1);
-    for (std::size_t k = 0; k < blockCount; ++k)
-        slotOfBlock[blocks.occupied[k]] = static_cast<std::int32_t>(k);
-    const auto coordinates = [&](std::uint32_t b) -> Eigen::Vector3i
-    {
-        const int nx = blocks.size.x(), ny = blocks.size.y(), v = static_cast<int>(b);
-        return {v % nx, v / nx % ny, v / nx / ny};
-    };
-    const auto firstCell = [&](std::uint32_t b) -> Eigen::Vector3i
-    { return (coordinates(b) + blocks.low.matrix()) * cellsPerBlock; };
-
-    parallelChunks(blockCount, 16, context,
-                   [&](std::size_t begin, std::size_t end)
-                   {
-                       CellGatherer gatherer(cloud, blocks, cellsPerBlock);
-                       for (std::size_t k = begin; k < end; ++k)
-                           moments[k] = gatherer.gather(blocks.occupied[k], firstCell(blocks.occupied[k]));
-                   });
-    context.checkCancelled();
-    blocks.order = {};
-
-    std::vector<std::size_t> firstOut(blockCount + 1, 0);
-    for (std::size_t k = 0; k < blockCount; ++k)
-        firstOut[k + 1] = firstOut[k] + moments[k].size();
-    result.cells.resize(firstOut[blockCount]);
-
-    const auto normalsOfBlock = [&](std::size_t k, Neighbourhood& around)
-    {
-        const Eigen::Vector3i here = coordinates(blocks.occupied[k]);
-        for (int dz = -1; dz <= 1; ++dz)
-            for (int dy = -1; dy <= 1; ++dy)
-                for (int dx = -1; dx <= 1; ++dx)
-                {
-                    const Eigen::Vector3i other = here + Eigen::Vector3i(dx, dy, dz);
-                    if ((other.array() < 0).any() || (other.array() >= blocks.size).any())
-                        continue;
-                    const std::int32_t slot = slotOfBlock[static_cast<std::size_t>(other.x()) +
-                                                          static_cast<std::size_t>(blocks.size.x()) *
-                                                              (static_cast<std::size_t>(other.y()) +
-                                                               static_cast<std::size_t>(blocks.size.y()) *
-                                                                   static_cast<std::size_t>(other.z()))];
-                    if (slot < 0)
-                        continue;
-                    const std::vector<Moments>& cells = moments[static_cast<std::size_t>(slot)];
-                    const auto layer = [&](int z)
-                    {
-                        return std::partition_point(cells.begin(), cells.end(),
-                                                    [&](const Moments& m) { return m.local[2] < z; });
-                    };
-                    // Sorted by z: of the blocks below and above only the layers that the halo reaches.
-                    const auto first = dz < 0 ? layer(cellsPerBlock - kHalo) : cells.begin();
-                    const auto last = dz > 0 ? layer(kHalo) : cells.end();
-                    for (auto m = first; m != last; ++m)
-                    {
-                        const int x = m->local[0] + dx * cellsPerBlock, y = m->local[1] + dy * cellsPerBlock,
-                                  z = m->local[2] + dz * cellsPerBlock;
-                        if (around.holds(x) && around.holds(y) && around.holds(z))
-                            around.set(x, y, z, &*m);
-                    }
-                }
-        const Eigen::Vector3d low = firstCell(blocks.occupied[k]).cast<double>();
-        std::size_t out = firstOut[k];
-        for (const Moments& m : moments[k])
-        {
-            const int x = m.local[0], y = m.local[1], z = m.local[2];
-            const auto gather = [&](int radius)
-            {
-                Accumulated a;
-                for (int dz = -radius; dz <= radius; ++dz)
-                    for (int dy = -radius; dy <= radius; ++dy)
-                        for (int dx = -radius; dx <= radius; ++dx)
-                            if (const Moments* o = around.get(x + dx, y + dy, z + dz))
-                                a.add(*o, dx, dy, dz);
-                return normalOf(a, params.minimumNeighbours);
-            };
-            Normal normal = gather(1);
-            // Too few points, or noise as wide as the neighbourhood: look further, and keep the flatter one.
-            if (!normal.valid || normal.ratio > 0.08)
-            {
-                const Normal wider = gather(2);
-                if (wider.valid && (!normal.valid || wider.ratio < normal.ratio))
-                    normal = wider;
-            }
-            SurfaceCell& cell = result.cells[out++];
-            const Eigen::Vector3d mean(m.sum[0], m.sum[1], m.sum[2]);
-            cell.position = ((low + Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5) + mean / m.count) * size).cast<float>();
-            cell.count = m.count;
-            cell.label = m.label;
-            cell.labelShare = m.labelShare;
-            cell.flatness = normal.flatness * static_cast<float>(size);
-            if (normal.valid && normal.ratio < 0.35)
-                cell.normal = normal.direction;
-        }
-        around.clear();
-    };
-    parallelChunks(blockCount, 16, context,
-                   [&](std::size_t begin, std::size_t end)
-                   {
-                       Neighbourhood around(cellsPerBlock);
-                       for (std::size_t k = begin; k < end; ++k)
-                           normalsOfBlock(k, around);
-                   });
-    context.checkCancelled();
+    const int cellsPerBlock = cellsPerBlockOf(result.spacing_m, params);
+    result.size_m = kBlock_m / cellsPerBlock;
+    result.lowestLayer_m = kBlock_m * blocks.low.z();
+    result.cells = CellBuilder(cloud, blocks, cellsPerBlock, params, context).build(result.firstOfLayer);
     return result;
 }
 

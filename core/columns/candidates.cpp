@@ -41,7 +41,7 @@ std::vector<ColumnSpot> spotsOf(const SurfaceCells& cells, const Level& level, c
 {
     const double margin = std::min(params.sliceMargin_m, 0.25 * (level.ceiling_m - level.floor_m));
     std::map<std::pair<int, int>, ColumnSpot> spots;
-    for (const SurfaceCell& c : cells.cells)
+    for (const SurfaceCell& c : cellsOf(cells, level))
     {
         const double z = static_cast<double>(c.position.z());
         if (c.normal.isZero() || std::abs(c.normal.z()) > 0.4f || z < level.floor_m + margin ||

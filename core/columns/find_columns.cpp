@@ -102,10 +102,12 @@ ColumnResult findColumns(const SurfaceCells& cells, const ColumnSource& source, 
     std::vector<ColumnCandidate> candidates = columnCandidates(cells, level, walls, params, context);
     shareRadius(candidates, params, context);
     fitProfiles(candidates, source, level, cells.hasLabels, params, context);
-    const PlanMask mask(cells, level);
+    std::optional<PlanMask> mask;  // labels say what is a column; without them it is asked where it stands
+    if (!cells.hasLabels && !candidates.empty())
+        mask.emplace(cells, level);
     for (ColumnCandidate& k : candidates)
     {
-        if (!cells.hasLabels && !standsInBuilding(k, mask))
+        if (mask && !standsInBuilding(k, *mask))
             continue;
         if (!k.isRound && !k.profile)
             completeEngaged(k, walls);

@@ -124,20 +124,6 @@ bool contains(const Polygon& polygon, const Eigen::Vector2d& p)
     return inside;
 }
 
-double distanceToBoundary(const Polygon& polygon, const Eigen::Vector2d& p)
-{
-    double nearest2 = std::numeric_limits<double>::infinity();
-    forEachEdge(polygon,
-                [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-                {
-                    const Eigen::Vector2d edge = b - a;
-                    const double length2 = edge.squaredNorm();
-                    const double t = length2 > 0.0 ? std::clamp((p - a).dot(edge) / length2, 0.0, 1.0) : 0.0;
-                    nearest2 = std::min(nearest2, (a + t * edge - p).squaredNorm());
-                });
-    return std::sqrt(nearest2);
-}
-
 Polygon canonical(const Polygon& polygon)
 {
     Polygon result;

@@ -29,8 +29,6 @@ using Ring = std::vector<Eigen::Vector2d>;
 [[nodiscard]] Eigen::Vector2d centroid(const Polygon& polygon);
 /// Whether p is inside: by crossings, so that it holds for any rings. Points on an edge count to one side of it.
 [[nodiscard]] bool contains(const Polygon& polygon, const Eigen::Vector2d& p);
-/// Distance of p to the nearest edge of any ring [m], >= 0; infinite without edges.
-[[nodiscard]] double distanceToBoundary(const Polygon& polygon, const Eigen::Vector2d& p);
 
 /// Brings rings into their direction and the canonical order, and drops repeated points and rings of fewer than three.
 [[nodiscard]] Polygon canonical(const Polygon& polygon);

@@ -70,6 +70,9 @@ std::vector<Surface> surfacesByColumn(const SurfaceCells& cells)
             s.maybeFloor = c.label == Label::Floor;
             s.maybeCeiling = c.label == Label::Ceiling || c.label == Label::Roof || c.label == Label::Beam;
         }
+        // A floor is seen from above, a ceiling from below.
+        if (c.facesScanner)
+            (c.normal.z() > 0 ? s.maybeCeiling : s.maybeFloor) = false;
         raw.push_back(s);
     }
     std::sort(raw.begin(), raw.end(),

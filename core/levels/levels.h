@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace s2b
@@ -48,6 +49,12 @@ struct Level
                std::any_of(ceilings.begin(), ceilings.end(), [&](double c) { return std::abs(z - c) < distance; });
     }
 };
+
+/// The cells that a storey's stages look at: from below its floor to above its ceilings, and some around.
+[[nodiscard]] inline std::span<const SurfaceCell> cellsOf(const SurfaceCells& cells, const Level& level)
+{
+    return cells.between(level.floor_m - 0.5, level.highestCeiling_m() + 1.0);
+}
 
 struct LevelResult
 {

@@ -14,9 +14,10 @@ namespace s2b
 namespace
 {
 
-bool isDoorSize(const Hole& h)
+bool isEmptyDoor(const Hole& h, const OpeningParams& params)
 {
-    return h.width() > 0.55 && h.width() < 1.35 && h.top > 1.85 && h.top < 2.45;
+    return h.width() > params.minimumEmptyDoorWidth_m && h.width() < params.maximumEmptyDoorWidth_m &&
+           h.top > params.minimumEmptyDoorHeight_m && h.top < params.maximumEmptyDoorHeight_m;
 }
 
 Opening openingOf(const Hole& h, OpeningKind kind, const Wall& wall)
@@ -38,11 +39,10 @@ Opening openingOf(const Hole& h, OpeningKind kind, const Wall& wall)
 
 OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, const Level& level,
                            const std::vector<Wall>& walls, const std::set<OpeningKind>& kinds, std::uint32_t& nextId,
-                           const OpeningParams& params, const Context& context)
+                           const OpeningParams& params, const Context& context, const Sightlines& sightlines)
 {
     OpeningResult result;
     const PlanMask mask(cells, level);
-    constexpr double leafReach = 1.3;
     struct Candidate
     {
         Opening opening;
@@ -58,7 +58,8 @@ OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, co
     for (const Wall& wall : walls)
     {
         context.checkCancelled();
-        const WallView view = viewWall(wall, cells, index, leafReach);
+        WallView view = viewWall(wall, cells, index, params.leafReach_m);
+        view.through = SeenThrough(wall, sightlines);
         std::vector<Hole> taken;
         const auto add = [&](const Hole& h, OpeningKind kind)
         {
@@ -99,21 +100,22 @@ OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, co
                                -view.half_m + inset, view.half_m - inset, PlanMask::Floor);
             return sum / pieces;
         };
-        for (const Hole& h : voidsFromFloor(view, taken, floorSeen, params.minimumDoorWidth_m,
-                                            params.maximumDoorWidth_m, params.minimumDoorHeight_m))
+        for (const Hole& h : voidsFromFloor(view, taken, floorSeen, params))
         {
             if (std::any_of(taken.begin(), taken.end(), [&](const Hole& k) { return k.overlaps(h); }))
                 continue;
             Opening leaf;
             findLeaf(leaf, view, h);
-            add(h, leaf.leafState == LeafState::Open || isDoorSize(h) ? OpeningKind::Door : OpeningKind::Plain);
+            add(h,
+                leaf.leafState == LeafState::Open || isEmptyDoor(h, params) ? OpeningKind::Door : OpeningKind::Plain);
         }
         if (!cells.hasLabels)
             for (const Hole& h : recessedHoles(view, taken, params.minimumWindowWidth_m,
                                                params.maximumDoorWidth_m + 2.0, params.minimumWindowHeight_m))
                 if (std::none_of(taken.begin(), taken.end(), [&](const Hole& k) { return k.overlaps(h); }))
                     // A leaf is narrower than its hole.
-                    add(h, h.bottom < 0.04 && h.top > 1.85 && h.top < 2.45 && h.width() < 2.2 &&
+                    add(h, h.bottom < 0.04 && h.top > params.minimumEmptyDoorHeight_m &&
+                                   h.top < params.maximumEmptyDoorHeight_m && h.width() < 2.2 &&
                                    h.width() > 0.7 * params.minimumDoorWidth_m
                                ? OpeningKind::Door
                                : OpeningKind::Window);

@@ -3,6 +3,7 @@
 
 #include "core/base/context.h"
 #include "core/cloud/cell_index.h"
+#include "core/cloud/sightlines.h"
 #include "core/cloud/surface_cells.h"
 #include "core/levels/levels.h"
 #include "core/model/building.h"
@@ -22,6 +23,12 @@ struct OpeningParams
     double minimumDoorHeight_m = 1.6;
     double minimumWindowWidth_m = 0.30;
     double minimumWindowHeight_m = 0.30;
+    double minimumEmptyDoorWidth_m = 0.55;   ///< of a hole without leaf, frame or label that counts as a door
+    double maximumEmptyDoorWidth_m = 1.35;   ///< of the same; a wider one is a plain opening
+    double minimumEmptyDoorHeight_m = 1.85;  ///< of the same
+    double maximumEmptyDoorHeight_m = 2.45;  ///< of the same
+    double leafReach_m = 1.3;                ///< how far beside a wall an open leaf is looked for
+    double minimumSeenThrough = 0.5;         ///< share of a hole that rays of known stations passed, to be open by that
     bool operator==(const OpeningParams&) const = default;
 };
 
@@ -43,8 +50,10 @@ struct OpeningResult
 /// @param index  of the storey's cells
 /// @param walls  of this storey
 /// @param kinds  what is asked for
+/// @param sightlines  of the cloud's stations: what rays passed through is open; empty when none are known
 [[nodiscard]] OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, const Level& level,
                                          const std::vector<Wall>& walls, const std::set<OpeningKind>& kinds,
-                                         std::uint32_t& nextId, const OpeningParams& params, const Context& context);
+                                         std::uint32_t& nextId, const OpeningParams& params, const Context& context,
+                                         const Sightlines& sightlines = {});
 
 }  // namespace s2b

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/openings/hole_edges.h"
+#include "core/openings/openings.h"
 #include "core/openings/wall_view.h"
 
 #include <algorithm>
@@ -74,9 +75,10 @@ bool leafBeside(const WallView& view, const Hole& h)
 }  // namespace
 
 std::vector<Hole> voidsFromFloor(const WallView& view, const std::vector<Hole>& taken,
-                                 const std::function<double(double, double)>& floorSeen, double minimumWidth_m,
-                                 double maximumWidth_m, double minimumHeight_m)
+                                 const std::function<double(double, double)>& floorSeen, const OpeningParams& params)
 {
+    const double minimumWidth_m = params.minimumDoorWidth_m, maximumWidth_m = params.maximumDoorWidth_m,
+                 minimumHeight_m = params.minimumDoorHeight_m;
     std::vector<Hole> holes;
     if (!view.leftSeen && !view.rightSeen)
         return holes;
@@ -108,7 +110,8 @@ std::vector<Hole> voidsFromFloor(const WallView& view, const std::vector<Hole>& 
         const std::optional<double> head = headNear(view, h.begin + 0.05, h.end - 0.05, h.top);
         // Open is what was seen through: the floor runs on through the wall, jambs and head show the wall's depth, or a
         // leaf stands beside it. One sign alone may be a shadow.
-        const bool floorRunsOn = floorSeen(h.begin + 0.1, h.end - 0.1) > 0.25;
+        const bool floorRunsOn = floorSeen(h.begin + 0.1, h.end - 0.1) > 0.25 ||
+                                 view.through.share(h.begin + 0.1, h.end - 0.1, low, high) > params.minimumSeenThrough;
         const int signs =
             2 * floorRunsOn + left.has_value() + right.has_value() + head.has_value() + leafBeside(view, h);
         // Below a window the wall may be hidden by furniture: a doorway shows its jambs down to the floor.

@@ -3,12 +3,15 @@
 
 #include "core/cloud/cell_index.h"
 #include "core/model/building.h"
+#include "core/openings/seen_through.h"
 
 #include <functional>
 #include <vector>
 
 namespace s2b
 {
+
+struct OpeningParams;
 
 /// A cell near a wall, in the wall's own coordinates.
 struct WallPoint
@@ -48,6 +51,7 @@ struct WallView
     double cell_m = 0;
     bool hasLabels = false;
     std::vector<WallPoint> points;  ///< within `reach` of the faces
+    SeenThrough through;            ///< where the scanner looked through the wall, if it is known where it stood
 
     [[nodiscard]] bool isInBody(const WallPoint& p, double inset) const
     {
@@ -66,7 +70,7 @@ struct WallView
 /// @param floorSeen  share of the floor that was seen within the body between two places along the axis
 [[nodiscard]] std::vector<Hole> voidsFromFloor(const WallView& view, const std::vector<Hole>& taken,
                                                const std::function<double(double, double)>& floorSeen,
-                                               double minimumWidth_m, double maximumWidth_m, double minimumHeight_m);
+                                               const OpeningParams& params);
 
 /// Holes from what is missing in one face and was seen behind it, within the wall's depth: windows, closed doors,
 /// niches' openings. Something seen behind the missing face on most of its sides tells a hole from a shadow.

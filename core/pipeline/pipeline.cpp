@@ -18,6 +18,7 @@ namespace
 double liftToLowestFloor(SurfaceCells& cells, LevelResult& levels)
 {
     const double lowest = levels.levels.front().floor_m;
+    cells.lowestLayer_m -= lowest;
     for (SurfaceCell& c : cells.cells)
         c.position.z() = static_cast<float>(static_cast<double>(c.position.z()) - lowest);
     for (Level& l : levels.levels)
@@ -36,7 +37,10 @@ double liftToLowestFloor(SurfaceCells& cells, LevelResult& levels)
 Building reconstruct(const CloudView& cloud, const PipelineOptions& options, const Context& context)
 {
     const Parameters& p = options.parameters;
-    SurfaceCells cells = surfaceCellsOf(cloud, options, context);
+    StationInput stations = stationsOf(cloud, context);
+    CloudView input = cloud;
+    input.stations = stations.view;
+    SurfaceCells cells = surfaceCellsOf(input, options, context);
     context.report("Building frame", 0.5);
     const double yaw = findDominantYaw(cells, p.frame);
     rotateCells(cells, yaw);
@@ -44,6 +48,7 @@ Building reconstruct(const CloudView& cloud, const PipelineOptions& options, con
     Building building;
     building.frame.yaw_rad = yaw;
     building.frame.origin = cloud.origin;
+    append(building.diagnostics, std::move(stations.diagnostics));
     std::uint32_t nextId = 1;
 
     context.report("Levels", 0.55);
@@ -63,18 +68,24 @@ Building reconstruct(const CloudView& cloud, const PipelineOptions& options, con
 
     std::vector<Storey> wallStoreys;  // that show in walls alone
     const double share = 0.32 / static_cast<double>(std::max<std::size_t>(1, levels.levels.size()));
+    const Sightlines sightlines(input, yaw, Eigen::Vector3d(0, 0, cloud.origin.z() - building.frame.origin.z()),
+                                context);
+    std::vector<StoreyTask> tasks;
     for (std::size_t i = 0; i < levels.levels.size(); ++i)
     {
         const double from = 0.6 + share * static_cast<double>(i);
-        StoreyRun run = runStorey(cells,
-                                  {levels.levels[i],
-                                   storeys[i],
-                                   building.storeys[i].name,
-                                   nullptr,
-                                   from,
-                                   from + share,
-                                   {&cloud, building.frame}},
-                                  options, nextId, context);
+        tasks.push_back({levels.levels[i],
+                         storeys[i],
+                         building.storeys[i].name,
+                         nullptr,
+                         from,
+                         from + share,
+                         {&cloud, building.frame},
+                         &sightlines});
+    }
+    std::vector<StoreyRun> runs = runStoreys(cells, tasks, options, nextId, context);
+    for (StoreyRun& run : runs)
+    {
         if (run.upper)
             wallStoreys.push_back(*run.upper);
         append(building.walls, std::move(run.walls));

@@ -17,6 +17,7 @@ void moveInto(SurfaceCells& cells, const Eigen::Vector3d& origin, const Frame& f
 {
     rotateCells(cells, frame.yaw_rad);
     const Eigen::Vector3d shift = frame.toBuilding(origin);
+    cells.lowestLayer_m += shift.z();
     for (SurfaceCell& c : cells.cells)
         c.position = (c.position.cast<double>() + shift).cast<float>();
 }
@@ -69,8 +70,13 @@ class Renewal
 {
 public:
     Renewal(const CloudView& cloud, const PipelineOptions& options, const Model& earlier,
-            std::optional<ElementId> storey, const Context& context)
-        : m_cloud(cloud), m_options(options), m_context(context), m_model(earlier), m_before(earlier.corrected)
+            std::optional<ElementId> storey, const Sightlines& sightlines, const Context& context)
+        : m_cloud(cloud),
+          m_options(options),
+          m_context(context),
+          m_sightlines(sightlines),
+          m_model(earlier),
+          m_before(earlier.corrected)
     {
         m_nextId = std::max(freeId(earlier.found).value, freeId(earlier.corrected).value);
         if (storey && !earlier.corrected.storey(*storey))
@@ -154,8 +160,9 @@ private:
         if (m_options.stages.contains(Stage::Walls))
         {
             options.stages = {Stage::Walls};
-            takeWalls(runStorey(cells, {level, storey.id, storey.name, nullptr, from, from + share, {}}, options,
-                                m_nextId, m_context),
+            takeWalls(runStorey(cells,
+                                {level, storey.id, storey.name, nullptr, from, from + share, {}, &m_sightlines},
+                                options, m_nextId, m_context),
                       storey);
             given.clear();
             for (const Wall& w : m_model.corrected.walls)
@@ -164,9 +171,16 @@ private:
         }
         options.stages = m_options.stages;
         options.stages.erase(Stage::Walls);
-        StoreyRun run = runStorey(
-            cells, {level, storey.id, storey.name, &given, from, from + share, {&m_cloud, m_model.corrected.frame}},
-            options, m_nextId, m_context);
+        StoreyRun run = runStorey(cells,
+                                  {level,
+                                   storey.id,
+                                   storey.name,
+                                   &given,
+                                   from,
+                                   from + share,
+                                   {&m_cloud, m_model.corrected.frame},
+                                   &m_sightlines},
+                                  options, m_nextId, m_context);
         std::set<OpeningKind> kinds;
         if (m_options.stages.contains(Stage::Doors))
             kinds.insert(OpeningKind::Door);
@@ -269,6 +283,7 @@ private:
     const CloudView& m_cloud;
     const PipelineOptions& m_options;
     const Context& m_context;
+    const Sightlines& m_sightlines;
     Model m_model;
     Building m_before;
     std::set<ElementId> m_scope;  ///< empty: all storeys
@@ -282,8 +297,13 @@ private:
 Model reconstructFrom(const CloudView& cloud, const PipelineOptions& options, const Model& earlier,
                       std::optional<ElementId> storey, const Context& context)
 {
-    Renewal renewal(cloud, options, earlier, storey, context);
-    SurfaceCells cells = surfaceCellsOf(cloud, options, context);
+    const StationInput stations = stationsOf(cloud, context);
+    CloudView input = cloud;
+    input.stations = stations.view;
+    const Frame& frame = earlier.corrected.frame;
+    const Sightlines sightlines(input, frame.yaw_rad, frame.toBuilding(cloud.origin), context);
+    Renewal renewal(cloud, options, earlier, storey, sightlines, context);
+    SurfaceCells cells = surfaceCellsOf(input, options, context);
     context.report("Building frame", 0.5);
     moveInto(cells, cloud.origin, earlier.corrected.frame);
     return renewal.run(std::move(cells));

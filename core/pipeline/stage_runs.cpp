@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pipeline/stage_runs.h"
 
+#include "core/base/parallel.h"
 #include "core/cloud/cell_index.h"
 #include "core/cloud/clutter.h"
+#include "core/cloud/station_assignment.h"
 #include "core/columns/columns.h"
 #include "core/openings/openings.h"
 #include "core/slabs/slabs.h"
@@ -29,7 +31,54 @@ std::set<OpeningKind> openingKinds(const std::set<Stage>& stages)
     return kinds;
 }
 
+constexpr double kMostHidden = 0.5;  // of the points, from their stations
+
+/// Moves the ids that a storey gave, those from `firstId` on, up.
+void moveIds(StoreyRun& run, std::uint32_t firstId, std::uint32_t by)
+{
+    const auto move = [&](ElementId& id)
+    {
+        if (id.value >= firstId)
+            id.value += by;
+    };
+    if (run.upper)
+        move(run.upper->id);
+    for (Wall& w : run.walls)
+        move(w.id), move(w.storey);
+    for (Junction& j : run.junctions)
+        move(j.wallA), move(j.wallB);
+    for (Opening& o : run.openings)
+        move(o.id), move(o.host);
+    for (Column& c : run.columns)
+        move(c.id), move(c.storey);
+    for (Diagnostic& d : run.diagnostics)
+        move(d.element);
+}
+
 }  // namespace
+
+StationInput stationsOf(const CloudView& cloud, const Context& context)
+{
+    StationInput result;
+    result.view = cloud.stations;
+    if (cloud.stations.positions.size() > 1 && !cloud.stations.ofPoint)
+    {
+        result.ofPoint = nearestVisibleStations(cloud, context);
+        result.view.ofPoint = result.ofPoint.data();
+    }
+    else if (!cloud.stations.empty() && hiddenShare(cloud, context) > kMostHidden)
+    {
+        result.view = {};
+        result.diagnostics.push_back({Severity::Warning,
+                                      "stations",
+                                      "StationsContradict",
+                                      "Most points could not be seen from the stations that they name (other points "
+                                      "are in between); the stations were not used.",
+                                      {},
+                                      {}});
+    }
+    return result;
+}
 
 SurfaceCells surfaceCellsOf(const CloudView& cloud, const PipelineOptions& options, const Context& context)
 {
@@ -89,7 +138,9 @@ StoreyRun runStorey(const SurfaceCells& cells, const StoreyTask& task, const Pip
     if (const std::set<OpeningKind> kinds = openingKinds(options.stages); !kinds.empty())
     {
         context.report(std::format("Openings of {}", task.name), fraction(0.6));
-        OpeningResult openings = findOpenings(cells, index, level, walls, kinds, nextId, p.openings, context);
+        const Sightlines none;
+        OpeningResult openings = findOpenings(cells, index, level, walls, kinds, nextId, p.openings, context,
+                                              task.sightlines ? *task.sightlines : none);
         run.openings = std::move(openings.openings);
         append(run.diagnostics, std::move(openings.diagnostics));
     }
@@ -102,6 +153,34 @@ StoreyRun runStorey(const SurfaceCells& cells, const StoreyTask& task, const Pip
         append(run.diagnostics, std::move(columns.diagnostics));
     }
     return run;
+}
+
+std::vector<StoreyRun> runStoreys(const SurfaceCells& cells, const std::vector<StoreyTask>& tasks,
+                                  const PipelineOptions& options, std::uint32_t& nextId, const Context& context)
+{
+    std::vector<StoreyRun> runs;
+    if (tasks.size() < 2 || context.threads == 1)
+    {
+        for (const StoreyTask& task : tasks)
+            runs.push_back(runStorey(cells, task, options, nextId, context));
+        return runs;
+    }
+    context.report("Walls, openings, columns", tasks.front().fromFraction);
+    Context silent = context;  // progress and messages are for the thread that runs the pipeline
+    silent.progress = nullptr;
+    silent.log = nullptr;
+    const std::uint32_t firstId = nextId;
+    std::vector<std::uint32_t> lastId(tasks.size(), firstId);
+    runs.resize(tasks.size());
+    parallelChunks(tasks.size(), 1, context, [&](std::size_t i, std::size_t)
+                   { runs[i] = runStorey(cells, tasks[i], options, lastId[i], silent); });
+    context.checkCancelled();
+    for (std::size_t i = 0; i < runs.size(); ++i)
+    {
+        moveIds(runs[i], firstId, nextId - firstId);
+        nextId += lastId[i] - firstId;
+    }
+    return runs;
 }
 
 RoomsRun runRooms(const SurfaceCells& cells, const std::vector<Level>& levels, const std::vector<ElementId>& storeys,

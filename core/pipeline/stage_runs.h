@@ -2,6 +2,7 @@
 /// The stages of one storey, and of all rooms: what a whole reconstruction and a run of single stages share.
 #pragma once
 
+#include "core/cloud/sightlines.h"
 #include "core/cloud/surface_cells.h"
 #include "core/columns/columns.h"
 #include "core/levels/levels.h"
@@ -21,6 +22,17 @@ void append(std::vector<T>& to, std::vector<T>&& from)
     to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
+/// What is known of a cloud's stations, as the stages use it.
+struct StationInput
+{
+    StationView view;  ///< of `ofPoint`, or the cloud's own; empty when they contradict the points
+    std::vector<std::uint16_t> ofPoint;
+    std::vector<Diagnostic> diagnostics;
+};
+
+/// Gives the points their stations where the cloud does not say them, and looks whether it can be true what it says.
+[[nodiscard]] StationInput stationsOf(const CloudView& cloud, const Context& context);
+
 /// The storey of a level, without an id or a name.
 [[nodiscard]] Storey storeyOf(const Level& level);
 
@@ -36,6 +48,7 @@ struct StoreyTask
     const std::vector<Wall>* walls = nullptr;     ///< given ones; null: found by the stage Walls, or none
     double fromFraction = 0.0, toFraction = 1.0;  ///< of the progress
     ColumnSource columns{};                       ///< the points themselves, for the sections of columns
+    const Sightlines* sightlines = nullptr;       ///< null: none are known
 };
 
 struct StoreyRun
@@ -52,6 +65,12 @@ struct StoreyRun
 /// @param nextId  the next free ElementId value; advanced
 [[nodiscard]] StoreyRun runStorey(const SurfaceCells& cells, const StoreyTask& task, const PipelineOptions& options,
                                   std::uint32_t& nextId, const Context& context);
+
+/// Runs them on several storeys side by side, each on its own: the same result, ids included, as one after another.
+/// @param tasks  of which none has given walls
+[[nodiscard]] std::vector<StoreyRun> runStoreys(const SurfaceCells& cells, const std::vector<StoreyTask>& tasks,
+                                                const PipelineOptions& options, std::uint32_t& nextId,
+                                                const Context& context);
 
 struct RoomsRun
 {

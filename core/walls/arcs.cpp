@@ -86,12 +86,11 @@ std::vector<Ring> groupRuns(std::vector<CurvedRun> runs, const WallParams& param
     return rings;
 }
 
-SurfaceCells unrolled(const SurfaceCells& cells, const Unrolling& u)
+SurfaceCells unrolled(const SurfaceCells& cells, const Level& level, const Unrolling& u)
 {
-    SurfaceCells result;
-    result.size_m = cells.size_m, result.spacing_m = cells.spacing_m, result.hasLabels = cells.hasLabels;
+    SurfaceCells result = cells.empty();
     const double inner = std::max(0.15 * u.radius_m, u.radius_m - kAround_m), outer = u.radius_m + kAround_m;
-    for (const SurfaceCell& c : cells.cells)
+    for (const SurfaceCell& c : cellsOf(cells, level))
     {
         const Eigen::Vector2d arm = c.position.head<2>().cast<double>() - u.center;
         const double r = arm.norm();
@@ -237,12 +236,12 @@ ArcScenes findArcs(const SurfaceCells& cells, const Level& level, const WallPara
         }
         for (const Unrolling& part : parts)
         {
-            auto scene = std::make_unique<ArcScene>(part, unrolled(cells, part), level);
+            auto scene = std::make_unique<ArcScene>(part, unrolled(cells, level, part), level);
             findBodies(*scene, level, params, context);
             const auto about = aboutAxis(*scene);
             if (!about)
                 continue;
-            scene = std::make_unique<ArcScene>(*about, unrolled(cells, *about), level);
+            scene = std::make_unique<ArcScene>(*about, unrolled(cells, level, *about), level);
             scene->isClosed = isClosed;
             findBodies(*scene, level, params, context);
             if (!scene->bodies.empty())
@@ -252,11 +251,10 @@ ArcScenes findArcs(const SurfaceCells& cells, const Level& level, const WallPara
     return arcs;
 }
 
-SurfaceCells withoutArcs(const SurfaceCells& cells, const ArcScenes& arcs)
+SurfaceCells withoutArcs(const SurfaceCells& cells, const Level& level, const ArcScenes& arcs)
 {
-    SurfaceCells rest;
-    rest.size_m = cells.size_m, rest.spacing_m = cells.spacing_m, rest.hasLabels = cells.hasLabels;
-    for (const SurfaceCell& c : cells.cells)
+    SurfaceCells rest = cells.empty();
+    for (const SurfaceCell& c : cellsOf(cells, level))
     {
         const bool isArc = std::abs(c.normal.z()) < 0.5f &&
                            std::any_of(
@@ -299,7 +297,7 @@ void settleArcs(ArcScenes& arcs, const std::vector<WallBody>& straight, const Le
         settleThickness(bodies, arc->cells, arc->index, level, arc->mask, params);
         bodies.resize(own);
         bodies = mergeBodies(std::move(bodies), arc->mask, params);
-        arc->bodies = settleHeights(std::move(bodies), arc->faces, level, arc->mask);
+        arc->bodies = settleHeights(std::move(bodies), arc->faces, level, arc->mask, params);
         std::erase_if(
             arc->bodies, [&](const WallBody& b)
             { return b.end - b.begin < params.minimumLength_m || b.thickness() < params.minimumThickness_m; });

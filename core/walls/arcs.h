@@ -55,8 +55,8 @@ using ArcScenes = std::vector<std::unique_ptr<ArcScene>>;
 [[nodiscard]] ArcScenes findArcs(const SurfaceCells& cells, const Level& level, const WallParams& params,
                                  const Context& context);
 
-/// The cells without those of the curved walls: their facets are no straight walls.
-[[nodiscard]] SurfaceCells withoutArcs(const SurfaceCells& cells, const ArcScenes& arcs);
+/// The storey's cells without those of the curved walls: their facets are no straight walls.
+[[nodiscard]] SurfaceCells withoutArcs(const SurfaceCells& cells, const Level& level, const ArcScenes& arcs);
 
 /// Thickness where one face was seen, merging and heights, by the rules of straight walls (which are the other walls of
 /// their kind).

@@ -74,9 +74,9 @@ double wallWeight(const SurfaceCells& cells, const SurfaceCell& cell)
 std::vector<AxisSet> sortByAxis(const SurfaceCells& cells, const Level& level, const WallParams& params)
 {
     std::vector<std::uint32_t> candidates;
-    for (std::size_t i = 0; i < cells.cells.size(); ++i)
-        if (isCandidate(cells.cells[i], level) && wallWeight(cells, cells.cells[i]) > 0)
-            candidates.push_back(static_cast<std::uint32_t>(i));
+    for (const SurfaceCell& c : cellsOf(cells, level))
+        if (isCandidate(c, level) && wallWeight(cells, c) > 0)
+            candidates.push_back(static_cast<std::uint32_t>(&c - cells.cells.data()));
     // |n . axis| > 1 - tolerance on both sides: sets twice that far apart don't overlap.
     const double halfWidth = std::acos(1.0 - params.normalTolerance);
     const std::vector<double> directions = findDirections(cells, candidates, halfWidth);

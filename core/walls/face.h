@@ -22,7 +22,9 @@ struct Face
     double begin = 0.0;
     double end = 0.0;
     int side = 0;               ///< +1: the room is on the side that n points to, -1: on the other, 0: unknown
-    bool isBesideRoom = false;  ///< floor or ceiling was seen right beside it, on at least one side
+    int scannedSide = 0;        ///< side that the scanner saw it from, 0 when not known or both
+    bool isBesideRoom = false;  ///< its side is no guess: floor or ceiling was seen right beside it (on at least one
+                                ///< side), or it is known from where it was scanned
     bool isLow = false;         ///< ends clearly below the ceiling (a parapet): the ceiling says nothing of its sides
     double rms_m = 0.0;
     double area_m2 = 0.0;    ///< covered by cells

@@ -138,7 +138,7 @@ WallResult findWalls(const SurfaceCells& cells, const CellIndex& index, const Le
     ArcScenes arcs = findArcs(cells, level, params, context);
     std::optional<SurfaceCells> rest;
     if (!arcs.empty())
-        rest = withoutArcs(cells, arcs);
+        rest = withoutArcs(cells, level, arcs);
     std::vector<Face> faces = findFaces(rest ? *rest : cells, level, mask, params, context);
     alignFaces(faces);
     std::vector<WallBody> bodies = pairFaces(faces, mask, params);
@@ -146,7 +146,7 @@ WallResult findWalls(const SurfaceCells& cells, const CellIndex& index, const Le
     bodies = mergeBodies(std::move(bodies), mask, params);
     settleArcs(arcs, bodies, level, params);
     dropWithinArcs(bodies, arcs);
-    bodies = settleHeights(std::move(bodies), faces, level, mask);
+    bodies = settleHeights(std::move(bodies), faces, level, mask, params);
     dropGhosts(bodies, faces, cells.size_m, params);
     context.checkCancelled();
     Plan plan = connectWalls(std::move(bodies), mask, params);

@@ -13,11 +13,8 @@ namespace s2b
 namespace
 {
 
-constexpr double kStep_m = 0.10;         // along the wall
-constexpr double kSmallestStep_m = 0.5;  // of the top, to be another height
+constexpr double kStep_m = 0.10;  // along the wall
 constexpr double kSmallestPiece_m = 0.8;
-constexpr double kDeepestBeam_m = 0.9;
-constexpr double kWidestOpening_m = 2.2;  // of an opening that a wall spans without being two walls
 
 struct Place
 {
@@ -81,7 +78,8 @@ std::vector<Eigen::Vector2d> slopedTopOf(const WallBody& body, const std::vector
 /// Stretches where only the upper part was seen and the floor runs through below: a beam, no wall. [first, last)
 /// places.
 std::vector<std::pair<std::size_t, std::size_t>> beamsOf(const WallBody& body, const std::vector<Place>& places,
-                                                         const Level& level, const PlanMask& mask)
+                                                         const Level& level, const PlanMask& mask,
+                                                         const WallParams& params)
 {
     std::vector<std::pair<std::size_t, std::size_t>> beams;
     const double inset = std::min(0.03, body.thickness() / 4);
@@ -89,11 +87,11 @@ std::vector<std::pair<std::size_t, std::size_t>> beamsOf(const WallBody& body, c
     {
         std::size_t last = i;
         while (last < places.size() &&
-               (!places[last].seen ||
-                (places[last].bottom > level.floor_m + 1.7 && places[last].top - places[last].bottom < kDeepestBeam_m)))
+               (!places[last].seen || (places[last].bottom > level.floor_m + 1.7 &&
+                                       places[last].top - places[last].bottom < params.deepestBeam_m)))
             ++last;
         const double length = static_cast<double>(last - i) * kStep_m;
-        if (length >= kWidestOpening_m)
+        if (length >= params.widestOpening_m)
         {
             const Eigen::Vector2d a = body.t * (body.begin + static_cast<double>(i) * kStep_m), b = a + body.t * length;
             if (mask.share(a, b, body.low + inset, body.high - inset, PlanMask::Floor) > 0.5)
@@ -105,7 +103,7 @@ std::vector<std::pair<std::size_t, std::size_t>> beamsOf(const WallBody& body, c
 }
 
 /// Where the top changes for good: places to split at, ascending.
-std::vector<std::size_t> splitsOf(const std::vector<Place>& places)
+std::vector<std::size_t> splitsOf(const std::vector<Place>& places, double minimumStep_m)
 {
     std::vector<std::size_t> splits;
     const auto window = static_cast<std::size_t>(kSmallestPiece_m / kStep_m);
@@ -124,7 +122,7 @@ std::vector<std::size_t> splitsOf(const std::vector<Place>& places)
     while (i + window <= places.size())
     {
         const double before = topOf(i - window, i), after = topOf(i, i + window);
-        if (before < 0 || after < 0 || std::abs(before - after) < kSmallestStep_m)
+        if (before < 0 || after < 0 || std::abs(before - after) < minimumStep_m)
         {
             ++i;
             continue;
@@ -153,15 +151,16 @@ std::vector<std::size_t> splitsOf(const std::vector<Place>& places)
 }  // namespace
 
 std::vector<WallBody> settleHeights(std::vector<WallBody> bodies, const std::vector<Face>& faces, const Level& level,
-                                    const PlanMask& mask)
+                                    const PlanMask& mask, const WallParams& params)
 {
     std::vector<WallBody> result;
     for (const WallBody& whole : bodies)
     {
         const std::vector<Place> places = placesOf(whole, faces, level);
         // With one face seen a lower top may as well be hidden (stairs, furniture).
-        std::vector<std::size_t> ends = whole.bothSeen() ? splitsOf(places) : std::vector<std::size_t>{};
-        const auto beams = beamsOf(whole, places, level, mask);
+        std::vector<std::size_t> ends =
+            whole.bothSeen() ? splitsOf(places, params.minimumTopStep_m) : std::vector<std::size_t>{};
+        const auto beams = beamsOf(whole, places, level, mask, params);
         for (const auto& [from, to] : beams)
             ends.insert(ends.end(), {from, to});
         ends.push_back(places.size());

@@ -13,6 +13,6 @@ namespace s2b
 /// higher one). A top near the storey's ceiling is the ceiling; a bottom well above the floor counts only where the
 /// floor was seen to run through below (furniture hides the lower part of many walls).
 [[nodiscard]] std::vector<WallBody> settleHeights(std::vector<WallBody> bodies, const std::vector<Face>& faces,
-                                                  const Level& level, const PlanMask& mask);
+                                                  const Level& level, const PlanMask& mask, const WallParams& params);
 
 }  // namespace s2b

@@ -33,6 +33,7 @@ void setDirection(Face& f, const Eigen::Vector2d& t)
     if (reversed)
     {
         f.side = -f.side;
+        f.scannedSide = -f.scannedSide;
         std::reverse(f.rows.begin(), f.rows.end());
     }
 }
@@ -54,8 +55,12 @@ std::size_t binOf(const Face& face, double s)
 double roomBetween(const Face& low, const Face& high, double s, double d, const PlanMask& mask)
 {
     const double inset = std::min(0.03, d / 4);
-    return mask.share(low.at(s - Face::kBin_m), low.at(s + Face::kBin_m), inset, d - inset,
-                      low.isLow && high.isLow ? PlanMask::Floor : mask.mainLayer());
+    const auto shareOf = [&](PlanMask::Layer layer)
+    { return mask.share(low.at(s - Face::kBin_m), low.at(s + Face::kBin_m), inset, d - inset, layer); };
+    // Each was scanned from its own side: a ceiling above both is what the wall doesn't reach.
+    if (low.scannedSide < 0 && high.scannedSide > 0)
+        return std::min(shareOf(PlanMask::Floor), shareOf(PlanMask::Ceiling));
+    return shareOf(low.isLow && high.isLow ? PlanMask::Floor : mask.mainLayer());
 }
 
 bool isParallel(const Face& a, const Face& b)

@@ -81,15 +81,15 @@ double curvatureAt(const PlanPixel& pixel, const Tiles& tiles, double reach, dou
 std::vector<PlanPixel> verticalPixels(const SurfaceCells& cells, const Level& level)
 {
     std::vector<std::tuple<int, int, std::uint32_t>> order;
-    for (std::uint32_t i = 0; i < cells.cells.size(); ++i)
+    for (const SurfaceCell& c : cellsOf(cells, level))
     {
-        const SurfaceCell& c = cells.cells[i];
         const double z = static_cast<double>(c.position.z());
         if (c.normal.isZero() || std::abs(c.normal.z()) > 0.3f || z < level.floor_m + 0.05 ||
             z > level.ceiling_m + 0.05 || wallWeight(cells, c) <= 0)
             continue;
         order.emplace_back(static_cast<int>(std::floor(static_cast<double>(c.position.y()) / cells.size_m)),
-                           static_cast<int>(std::floor(static_cast<double>(c.position.x()) / cells.size_m)), i);
+                           static_cast<int>(std::floor(static_cast<double>(c.position.x()) / cells.size_m)),
+                           static_cast<std::uint32_t>(&c - cells.cells.data()));
     }
     std::sort(order.begin(), order.end());
     std::vector<PlanPixel> pixels;

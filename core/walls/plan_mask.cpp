@@ -20,8 +20,11 @@ std::uint8_t layerOf(const SurfaceCells& cells, const SurfaceCell& c, const Leve
     if (cells.hasLabels && (c.label == Label::Wall || c.label == Label::Window || c.label == Label::Door ||
                             c.label == Label::Furniture || c.label == Label::Column))
         return 0;
+    const bool seenFromAbove = c.facesScanner && c.normal.z() > 0, seenFromBelow = c.facesScanner && c.normal.z() < 0;
     if (nz > 0.9 && std::abs(z - level.floor_m) < 0.10)
-        return PlanMask::Floor;
+        return seenFromBelow ? 0 : PlanMask::Floor;
+    if (seenFromAbove)
+        return 0;
     if (level.ceilingSeen)
         return nz > 0.9 && level.isCeiling(z, 0.15) ? PlanMask::Ceiling : 0;
     return z > level.floor_m + 1.4 && nz < 0.97 ? PlanMask::Ceiling : 0;  // a sloped ceiling
@@ -44,7 +47,7 @@ PlanMask::PlanMask(const SurfaceCells& cells, const Level& level)
     m_pixel = std::max(0.03, 1.3 * cells.size_m);
     Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
     std::vector<std::pair<Eigen::Vector2d, std::uint8_t>> hits;
-    for (const SurfaceCell& c : cells.cells)
+    for (const SurfaceCell& c : cellsOf(cells, level))
         if (const std::uint8_t layer = layerOf(cells, c, level))
         {
             const Eigen::Vector2d p = c.position.head<2>().cast<double>();
@@ -68,7 +71,7 @@ PlanMask::PlanMask(const SurfaceCells& cells, const Level& level)
 
     m_coarseSize = ((high - m_low) / kCoarse_m).array().ceil().cast<int>() + 1;
     m_overhead.assign(static_cast<std::size_t>(m_coarseSize.x()) * static_cast<std::size_t>(m_coarseSize.y()), -1.0f);
-    for (const SurfaceCell& c : cells.cells)
+    for (const SurfaceCell& c : cellsOf(cells, level))
     {
         if (!isOverhead(cells, c, level))
             continue;

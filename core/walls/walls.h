@@ -32,6 +32,10 @@ struct WallParams
     double mergeUnseen_m = 4.0;         ///< largest hidden gap between collinear pieces, each longer than it
     double mergeOffset_m = 0.03;        ///< largest offset between collinear pieces of one wall
     double closeGap_m = 0.60;           ///< largest gap that is closed at a corner; D3.6, 3.4.4
+    double minimumTopStep_m = 0.5;      ///< of a wall's top, to be two walls; D3.6, 6.2: height correction
+    double widestOpening_m = 2.2;       ///< that a wall goes on above; above a wider one hangs a beam
+    double deepestBeam_m = 0.9;         ///< a beam is no higher
+    double minimumAgreement = 0.85;     ///< share of a face's cells that were scanned from one side, to be that side's
 
     bool curved = true;                ///< whether curved walls are looked for
     double minimumArcRadius_m = 0.8;   ///< of a curved wall's face

@@ -34,6 +34,9 @@ namespace s2b
 		QString                              warning; //!< why there are no labels, for people; empty when all is well
 		std::vector<float>                   ownPoints;
 		std::vector<std::uint8_t>            ownLabels;
+		std::vector<Eigen::Vector3d>         stations;       //!< of the scanner, as far as they are known
+		std::vector<std::uint16_t>           stationOfPoint; //!< empty when that is not known, or there is one only
+		QString                              stationText;    //!< what is known of them, for people; empty for nothing
 	};
 
 	//! Name of the field that holds the labels by custom (Classification, label), empty when there is none
@@ -44,9 +47,10 @@ namespace s2b
 	std::map<int, std::size_t> countCodes(const ccPointCloud& cloud, const QString& field, bool& hasFractions);
 
 	//! Brings the clouds into the form that the reconstruction reads; the clouds are not changed.
-	/** \throws Error{EmptyCloud} without a point, Error{BadCoordinates} for coordinates whose float spacing is too
+	/** \param stationFile what -STATIONS names; empty: the sensors below the clouds count
+	    \throws Error{EmptyCloud} without a point, Error{BadCoordinates} for coordinates whose float spacing is too
 	    coarse (beyond 100 km of the local origin: 8 mm), Error{BadLabels} for a field that is not there, that holds no
-	    whole numbers, or codes that the map does not know.
+	    whole numbers, or codes that the map does not know; Error{BadFile} for the stations' file.
 	**/
-	Input makeInput(const std::vector<const ccPointCloud*>& clouds, const LabelChoice& labels);
+	Input makeInput(const std::vector<const ccPointCloud*>& clouds, const LabelChoice& labels, const QString& stationFile = {});
 } // namespace s2b

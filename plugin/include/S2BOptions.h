@@ -20,6 +20,7 @@ namespace s2b
 		PipelineOptions pipeline;
 		QString         labelField; //!< empty: the usual names are looked for
 		LabelMap        labelMap;
+		QString         stationFile; //!< empty: the clouds' sensors count
 		QString         ifcPath; //!< empty: <cloud>.ifc beside the cloud
 		QString         schema      = "IFC4";
 		unsigned        threads     = 0; //!< 0: all

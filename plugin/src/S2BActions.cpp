@@ -163,6 +163,8 @@ namespace s2b
 				say(app, input.warning, true);
 			if (!input.labelField.isEmpty())
 				say(app, labelSummary(input, QString::fromStdString(choice.labels.map.name)));
+			if (!input.stationText.isEmpty())
+				say(app, input.stationText, false);
 
 			const std::optional<Building> building = reconstructInBackground(input, choice, clouds.front()->getName(), app);
 			if (!building)

@@ -211,12 +211,15 @@ namespace s2b
 			const CLCloudDesc                      first  = cmd.clouds().front();
 			const QString                          path   = options.ifcPath.isEmpty() ? defaultIfcPath(first) : options.ifcPath;
 
-			const Input input = makeInput(clouds, {!options.pipeline.geometryOnly, options.labelField, options.labelMap});
+			const Input input = makeInput(clouds, {!options.pipeline.geometryOnly, options.labelField, options.labelMap}, options.stationFile);
 			cmd.print(QString("[S2B] %1 points in %2").arg(input.view.count).arg(clouds.size() == 1 ? QString("one cloud") : QString("%1 clouds, taken together").arg(clouds.size())));
 			if (!input.warning.isEmpty())
 				cmd.warning("[S2B] " + input.warning);
 			if (!input.labelField.isEmpty())
 				cmd.print("[S2B] " + labelSummary(input, QString::fromStdString(options.labelMap.name)));
+
+			if (!input.stationText.isEmpty())
+				cmd.print("[S2B] " + input.stationText);
 
 			// A truth that can't be used is found out before the work, not after it.
 			const Context                  context = makeContext(cmd, options);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "S2BInput.h"
 
+#include "S2BStations.h"
 #include "core/base/error.h"
 
 #include <QStringList>
@@ -243,7 +244,7 @@ namespace s2b
 		return counts;
 	}
 
-	Input makeInput(const std::vector<const ccPointCloud*>& clouds, const LabelChoice& labels)
+	Input makeInput(const std::vector<const ccPointCloud*>& clouds, const LabelChoice& labels, const QString& stationFile)
 	{
 		Input input;
 		if (clouds.empty())
@@ -258,6 +259,7 @@ namespace s2b
 		viewPoints(clouds, input);
 		if (labels.use)
 			readAllLabels(clouds, labels, input);
+		addStations(clouds, stationFile, input);
 		return input;
 	}
 } // namespace s2b

@@ -119,6 +119,8 @@ namespace s2b
 		     { o.labelMap = loadLabelMap(localPath(v)); }},
 		    {"GEOMETRY_ONLY", "", false, "use no labels", [](CommandOptions& o, const QString&)
 		     { o.pipeline.geometryOnly = true; }},
+		    {"STATIONS", "FILE", false, "where the scanner stood: lines 'id x y z' (id: the points' source id), or JSON (default: the clouds' sensors)", [](CommandOptions& o, const QString& v)
+		     { o.stationFile = readablePath("STATIONS", v); }},
 		    {"STAGES", "LIST", false, "levels,walls,doors,windows,openings,columns,slabs,spaces (default: all), or none: the file of -IFC is read and compared", [](CommandOptions& o, const QString& v)
 		     { setStages(o, v); }},
 		    {"CONFIG", "FILE", false, "parameters from a TOML file", [](CommandOptions& o, const QString& v)

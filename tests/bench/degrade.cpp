@@ -84,7 +84,7 @@ float lowestFloor(const PointCloud& cloud)
 
 }  // namespace
 
-void degrade(PointCloud& cloud, std::uint64_t seed)
+void degrade(PointCloud& cloud, std::uint64_t seed, std::vector<std::uint16_t>* sources)
 {
     if (cloud.points.empty())
         return;
@@ -103,11 +103,15 @@ void degrade(PointCloud& cloud, std::uint64_t seed)
                                   { return (p.head<2>() - box).cwiseAbs().maxCoeff() < kBoxHalf_m; });
         if (isHidden)
             continue;
+        if (sources)
+            (*sources)[kept] = (*sources)[i];
         cloud.points[kept] = p;
         cloud.labels[kept++] = cloud.labels[i];
     }
     cloud.points.resize(kept);
     cloud.labels.resize(kept);
+    if (sources)
+        sources->resize(kept);
 }
 
 }  // namespace s2b

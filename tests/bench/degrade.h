@@ -4,6 +4,7 @@
 #include "core/cloud/point_cloud.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace s2b
 {
@@ -13,6 +14,7 @@ namespace s2b
 /// boxes of 1.2 m that stand on the floor hide what is in them, up to 1.5 m above it.
 ///
 /// A function of the points and the seed alone. @pre cloud.hasLabels().
-void degrade(PointCloud& cloud, std::uint64_t seed);
+/// @param sources  where not null: the stations' ids of the points, which lose the hidden ones too
+void degrade(PointCloud& cloud, std::uint64_t seed, std::vector<std::uint16_t>* sources = nullptr);
 
 }  // namespace s2b

@@ -13,7 +13,8 @@
 namespace s2b
 {
 
-PointCloud readLaz(const std::string& path, std::vector<std::array<std::uint8_t, 3>>* colours)
+PointCloud readLaz(const std::string& path, std::vector<std::array<std::uint8_t, 3>>* colours,
+                   std::vector<std::uint16_t>* sources)
 {
     laszip_POINTER reader = nullptr;
     if (laszip_create(&reader))
@@ -48,6 +49,8 @@ PointCloud readLaz(const std::string& path, std::vector<std::array<std::uint8_t,
         cloud.points.emplace_back((Eigen::Vector3d(c[0], c[1], c[2]) - cloud.origin).cast<float>());
         const unsigned code = header->point_data_format >= 6 ? point->extended_classification : point->classification;
         cloud.labels.push_back(code < kLabelCount ? static_cast<Label>(code) : Label::Unassigned);
+        if (sources)
+            sources->push_back(point->point_source_ID);
         if (colours)
             colours->push_back({static_cast<std::uint8_t>(point->rgb[0] >> 8),
                                 static_cast<std::uint8_t>(point->rgb[1] >> 8),

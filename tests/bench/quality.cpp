@@ -11,6 +11,7 @@
 #include "tests/bench/degrade.h"
 #include "tests/bench/laz_reader.h"
 #include "tests/bench/process_memory.h"
+#include "tests/bench/survey_stations.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -29,7 +30,7 @@ using namespace s2b::validation;
 
 struct Options
 {
-    std::string cloud, truth, mode = "given", ifc, json;
+    std::string cloud, truth, stations, mode = "given", ifc, json;
     std::vector<std::string> assignments;
     unsigned threads = 0;
     std::uint64_t seed = 7;
@@ -130,13 +131,18 @@ Json plansJson(const Bim& truth, const Bim& result, const CloudView& view, const
 
 Json run(const Options& o)
 {
-    PointCloud cloud = readLaz(o.cloud);
+    std::vector<std::uint16_t> sources;
+    PointCloud cloud = readLaz(o.cloud, nullptr, o.stations.empty() ? nullptr : &sources);
     if (cloud.points.empty())
         throw Error(ErrorCode::EmptyCloud, o.cloud + " has no points");
     if (o.mode == "degraded")
-        degrade(cloud, o.seed);
-    const CloudView view{cloud.points.front().data(), cloud.size(), cloud.origin,
-                         reinterpret_cast<const std::uint8_t*>(cloud.labels.data())};
+        degrade(cloud, o.seed, sources.empty() ? nullptr : &sources);
+    CloudView view{cloud.points.front().data(), cloud.size(), cloud.origin,
+                   reinterpret_cast<const std::uint8_t*>(cloud.labels.data())};
+    SurveyStations stations;
+    if (!o.stations.empty())
+        stations = surveyStations(o.stations, cloud.origin, sources);
+    view.stations = stations.view();
     PipelineOptions pipeline;
     pipeline.geometryOnly = o.mode == "geometry";
     for (const std::string& a : o.assignments)
@@ -189,6 +195,8 @@ int main(int argc, char** argv)
     app.add_option("truth", o.truth, "what a simulated survey wrote beside it, IFC, or CV4AEC JSON")->required();
     app.add_option("--mode", o.mode, "given, degraded (wrong labels, occlusion) or geometry (no labels)")
         ->check(CLI::IsMember({"given", "degraded", "geometry"}));
+    app.add_option("--stations", o.stations,
+                   "where the scanner stood, by the points' source ids: the truth, or a file");
     app.add_option("--ifc", o.ifc, "the model to write")->required();
     app.add_option("--json", o.json, "scores and plans to write")->required();
     app.add_option("--set", o.assignments, "parameter, name=value");

@@ -5,6 +5,7 @@
 #include "ifc/ifc_writer.h"
 #include "tests/bench/building_json.h"
 #include "tests/bench/laz_reader.h"
+#include "tests/bench/survey_stations.h"
 
 #include <CLI/CLI.hpp>
 
@@ -34,8 +35,8 @@ long peakMegabytes()
 int main(int argc, char** argv)
 {
     CLI::App app("Reconstructs a building from a LAZ file and prints the seconds of each step.");
-    std::string in, ifcPath, jsonPath;
-    bool geometryOnly = false, quiet = false;
+    std::string in, ifcPath, jsonPath, stationsPath;
+    bool geometryOnly = false, quiet = false, noIds = false;
     unsigned threads = 0;
     std::vector<std::string> assignments;
     app.add_option("cloud", in, "LAS or LAZ file")->required();
@@ -43,13 +44,19 @@ int main(int argc, char** argv)
     app.add_option("--json", jsonPath, "plan as JSON to write");
     app.add_flag("--geometry-only", geometryOnly, "use no labels");
     app.add_flag("--quiet", quiet, "no step times");
+    app.add_option("--stations", stationsPath, "where the scanner stood: a survey's truth, or a file of -STATIONS");
+    app.add_flag("--no-ids", noIds, "don't read which station a point is of");
     app.add_option("--threads", threads, "0 = all");
     app.add_option("--set", assignments, "parameter, name=value");
     CLI11_PARSE(app, argc, argv);
     try
     {
         const double t0 = seconds();
-        const s2b::PointCloud cloud = s2b::readLaz(in);
+        std::vector<std::uint16_t> sources;
+        const s2b::PointCloud cloud = s2b::readLaz(in, nullptr, stationsPath.empty() || noIds ? nullptr : &sources);
+        s2b::SurveyStations stations;
+        if (!stationsPath.empty())
+            stations = s2b::surveyStations(stationsPath, cloud.origin, sources);
         const double loaded = seconds();
         const long loadedMegabytes = peakMegabytes();
         s2b::PipelineOptions options;
@@ -68,8 +75,9 @@ int main(int argc, char** argv)
             step = text;
             last = now;
         };
-        const s2b::CloudView view{cloud.points.front().data(), cloud.size(), cloud.origin,
-                                  reinterpret_cast<const std::uint8_t*>(cloud.labels.data())};
+        s2b::CloudView view{cloud.points.front().data(), cloud.size(), cloud.origin,
+                            reinterpret_cast<const std::uint8_t*>(cloud.labels.data())};
+        view.stations = stations.view();
         const s2b::Building building = s2b::reconstruct(view, options, context);
         context.progress("", 1.0);
         const double done = seconds();

@@ -109,7 +109,21 @@ public:
     {
         m_cloud.points.push_back(p.cast<float>());
         m_cloud.labels.push_back(label);
+        m_stationOfPoint.push_back(m_station);
     }
+
+    /// What follows is measured from here.
+    void standAt(const Eigen::Vector3d& position)
+    {
+        m_station = static_cast<std::uint16_t>(m_stations.size());
+        m_stations.push_back(position);
+    }
+    /// What follows is measured from no known station.
+    void standAnywhere() { m_station = StationView::kUnknown; }
+    /// Nobody knows where the points were measured from.
+    void forgetStations() { m_stations.clear(); }
+    /// Nobody knows which point was measured from where.
+    void forgetStationOfPoints() { m_knowsStationOfPoints = false; }
 
     /// Turns all points about the vertical through the origin, then moves them.
     void move(double yaw_rad, const Eigen::Vector3d& by = Eigen::Vector3d::Zero())
@@ -117,6 +131,8 @@ public:
         const Eigen::AngleAxisd turn(yaw_rad, Eigen::Vector3d::UnitZ());
         for (Eigen::Vector3f& p : m_cloud.points)
             p = (turn * p.cast<double>() + by).cast<float>();
+        for (Eigen::Vector3d& p : m_stations)
+            p = turn * p + by;
     }
     void setLabels(Label label) { std::fill(m_cloud.labels.begin(), m_cloud.labels.end(), label); }
     /// The same points in another order.
@@ -127,6 +143,7 @@ public:
             const auto j = static_cast<std::size_t>(randomShare(seed, 7, i) * static_cast<double>(i));
             std::swap(m_cloud.points[i - 1], m_cloud.points[j]);
             std::swap(m_cloud.labels[i - 1], m_cloud.labels[j]);
+            std::swap(m_stationOfPoint[i - 1], m_stationOfPoint[j]);
         }
     }
 
@@ -134,9 +151,12 @@ public:
     [[nodiscard]] PointCloud& cloud() { return m_cloud; }
     [[nodiscard]] CloudView view(bool withLabels = true) const
     {
-        return {m_cloud.points.empty() ? nullptr : m_cloud.points.front().data(), m_cloud.size(), m_cloud.origin,
-                withLabels && !m_cloud.labels.empty() ? reinterpret_cast<const std::uint8_t*>(m_cloud.labels.data())
-                                                      : nullptr};
+        CloudView view{m_cloud.points.empty() ? nullptr : m_cloud.points.front().data(), m_cloud.size(), m_cloud.origin,
+                       withLabels && !m_cloud.labels.empty()
+                           ? reinterpret_cast<const std::uint8_t*>(m_cloud.labels.data())
+                           : nullptr};
+        view.stations = {m_stations, m_knowsStationOfPoints ? m_stationOfPoint.data() : nullptr};
+        return view;
     }
 
 private:
@@ -151,6 +171,10 @@ private:
     }
 
     PointCloud m_cloud;
+    std::vector<Eigen::Vector3d> m_stations;
+    std::vector<std::uint16_t> m_stationOfPoint;
+    std::uint16_t m_station = StationView::kUnknown;
+    bool m_knowsStationOfPoints = true;
     double m_spacing, m_noise;
     std::uint64_t m_draws = 0;
 };

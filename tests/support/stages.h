@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/cloud/cell_index.h"
+#include "core/cloud/station_assignment.h"
 #include "core/cloud/surface_cells.h"
 #include "core/columns/columns.h"
 #include "core/levels/levels.h"
@@ -17,7 +18,14 @@ namespace s2b::test
 
 inline SurfaceCells cellsOf(const HandMadeCloud& cloud, bool withLabels = true)
 {
-    return buildSurfaceCells(cloud.view(withLabels), KeptRegion{}, CellParams{}, Context{});
+    CloudView view = cloud.view(withLabels);
+    std::vector<std::uint16_t> stationOfPoint;
+    if (view.stations.positions.size() > 1 && !view.stations.ofPoint)
+    {
+        stationOfPoint = nearestVisibleStations(view, Context{});
+        view.stations.ofPoint = stationOfPoint.data();
+    }
+    return buildSurfaceCells(view, KeptRegion{}, CellParams{}, Context{});
 }
 
 inline LevelResult levelsOf(const HandMadeCloud& cloud, bool withLabels = true)
@@ -49,10 +57,11 @@ inline StoreyResult storeyOf(const HandMadeCloud& cloud, bool withLabels = true,
     std::uint32_t nextId = 2;
     const CellIndex index(cells, floor - 0.2, ceiling + 0.4);
     result.walls = findWalls(cells, index, result.level, storey, nextId, params, context);
-    result.openings =
-        findOpenings(cells, index, result.level, result.walls.walls,
-                     {OpeningKind::Door, OpeningKind::Window, OpeningKind::Plain}, nextId, OpeningParams{}, context);
     const CloudView view = cloud.view(withLabels);
+    const Sightlines sightlines(view, 0.0, Eigen::Vector3d::Zero(), context);
+    result.openings = findOpenings(cells, index, result.level, result.walls.walls,
+                                   {OpeningKind::Door, OpeningKind::Window, OpeningKind::Plain}, nextId,
+                                   OpeningParams{}, context, sightlines);
     result.columns =
         findColumns(cells, {&view, {}}, result.level, result.walls.walls, storey, nextId, ColumnParams{}, context);
     return result;

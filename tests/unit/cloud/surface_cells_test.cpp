@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -49,6 +50,7 @@ void expectSame(const SurfaceCells& a, const SurfaceCells& b)
         ASSERT_EQ(x.count, y.count) << "cell " << i;
         ASSERT_EQ(x.label, y.label) << "cell " << i;
         ASSERT_EQ(x.labelShare, y.labelShare) << "cell " << i;
+        ASSERT_EQ(x.facesScanner, y.facesScanner) << "cell " << i;
     }
 }
 
@@ -259,6 +261,52 @@ TEST(SurfaceCells, StopWhenCancelled)
     context.cancel = stop.get_token();
     stop.request_stop();
     EXPECT_THROW((void)buildSurfaceCells(noisyRoom().view(), {}, {}, context), Cancelled);
+}
+
+TEST(SurfaceCells, NormalsFaceTheScanner)
+{
+    HandMadeCloud cloud(0.02, 0.002);
+    const Eigen::Vector3d station(1.0, 2.0, 1.4);
+    cloud.standAt(station);
+    cloud.room({0, 0}, {4, 3});
+    std::size_t facing = 0, away = 0, undecided = 0;
+    const SurfaceCells cells = cellsOf(cloud);
+    EXPECT_TRUE(cells.hasStations);
+    for (const SurfaceCell& c : cells.cells)
+    {
+        const bool isToStation = c.normal.dot(station.cast<float>() - c.position) > 0;
+        ++(!c.facesScanner ? undecided : isToStation ? facing : away);
+    }
+    EXPECT_EQ(away, 0U);
+    EXPECT_GT(facing, 9 * undecided);  // the far corners are seen too flat, the edges have no clear normal
+
+    cloud.forgetStations();
+    const SurfaceCells without = cellsOf(cloud);
+    EXPECT_FALSE(without.hasStations);
+    EXPECT_TRUE(std::none_of(without.cells.begin(), without.cells.end(), [](const auto& c) { return c.facesScanner; }));
+}
+
+TEST(SurfaceCells, SeenFromBothSidesFaceNeither)
+{
+    HandMadeCloud cloud;
+    cloud.standAt({-2, 1, 1});
+    cloud.wallFace({0, 0}, {0, 2}, 0, 2);
+    cloud.standAt({2, 1, 1});
+    cloud.wallFace({0, 0}, {0, 2}, 0, 2);
+    const SurfaceCells cells = cellsOf(cloud);
+    const auto facing =
+        std::count_if(cells.cells.begin(), cells.cells.end(), [](const auto& c) { return c.facesScanner; });
+    EXPECT_LT(facing, 0.3 * static_cast<double>(cells.cells.size()));  // cells of an odd number of points
+}
+
+TEST(SurfaceCells, PointsOfNoKnownStationSayNothing)
+{
+    HandMadeCloud cloud;
+    cloud.standAt({-2, 1, 1});
+    cloud.standAnywhere();
+    cloud.wallFace({0, 0}, {0, 2}, 0, 2);
+    const SurfaceCells cells = cellsOf(cloud);
+    EXPECT_TRUE(std::none_of(cells.cells.begin(), cells.cells.end(), [](const auto& c) { return c.facesScanner; }));
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -30,6 +32,19 @@ Polygon roughRectangle(double width, double height, double step, double noise, u
     side({width, height}, {0, height});
     side({0, height}, {0, 0});
     return polygon;
+}
+
+/// Distance of p to the nearest edge of the outer ring.
+double distanceToBoundary(const Polygon& polygon, const Eigen::Vector2d& p)
+{
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < polygon.outer.size(); ++i)
+    {
+        const Eigen::Vector2d a = polygon.outer[i], edge = polygon.outer[(i + 1) % polygon.outer.size()] - a;
+        const double t = std::clamp((p - a).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+        nearest = std::min(nearest, (a + t * edge - p).norm());
+    }
+    return nearest;
 }
 
 TEST(Simplify, LeavesTheCornersThatMatter)

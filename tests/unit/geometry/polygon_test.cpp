@@ -60,9 +60,7 @@ TEST(PolygonMeasures, OfNothingArePlain)
     EXPECT_EQ(area({}), 0.0);
     EXPECT_EQ(centroid({}), Eigen::Vector2d(0, 0));
     EXPECT_FALSE(contains({}, {0, 0}));
-    EXPECT_EQ(distanceToBoundary({}, {0, 0}), std::numeric_limits<double>::infinity());
     EXPECT_EQ(centroid({{{1, 1}, {3, 1}}, {}}), Eigen::Vector2d(2, 1));
-    EXPECT_EQ(distanceToBoundary({{{1, 1}}, {}}, {4, 5}), 5.0);
 }
 
 TEST(PolygonContains, HasHolesOutside)
@@ -86,14 +84,6 @@ TEST(PolygonContains, GivesAPointOnASharedEdgeToOnePolygon)
         const Eigen::Vector2d p(2.9 * t + 0.05, 2.0);
         EXPECT_EQ(int(contains(left, p)) + int(contains(right, p)) + int(contains(above, p)), 1) << t;
     }
-}
-
-TEST(PolygonDistance, IsToTheNearestEdgeOfAnyRing)
-{
-    EXPECT_EQ(distanceToBoundary(kFrame, {1.5, 1.25}), 0.25);
-    EXPECT_EQ(distanceToBoundary(kFrame, {0.5, 1.5}), 0.5);
-    EXPECT_EQ(distanceToBoundary(kFrame, {7, 7}), 5.0);
-    EXPECT_EQ(distanceToBoundary(kFrame, {2, 0}), 0.0);
 }
 
 TEST(CanonicalPolygon, HasDirectionsOrderAndNoRepeatedPoints)

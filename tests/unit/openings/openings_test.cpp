@@ -98,6 +98,83 @@ TEST(Openings, FindAnOpenDoorByItsVoidAndItsLeaf)
         }
 }
 
+/// A leaf of 4 cm that stands out from a jamb at a right angle, to x > 4.2.
+void addLeaf(HandMadeCloud& c, double hinge, double width, double top)
+{
+    for (const double y : {hinge - 0.02, hinge + 0.02})
+        c.wallFace({4.2, y}, {4.2 + width, y}, 0.01, top, Label::Unassigned);
+}
+
+TEST(Openings, FindAnOpenLeafByItsShape)
+{
+    for (const bool hingeIsLow : {true, false})
+    {
+        const HoleInPartition hole;
+        HandMadeCloud cloud = hole.cloud();
+        hole.addReveals(cloud);
+        addLeaf(cloud, hingeIsLow ? hole.y + 0.02 : hole.y + hole.width - 0.02, 0.85, 2.05);
+        const auto r = storeyOf(cloud, false);
+        ASSERT_EQ(r.openings.openings.size(), 1u);
+        const Opening& door = r.openings.openings[0];
+        EXPECT_EQ(door.kind, OpeningKind::Door);
+        EXPECT_EQ(door.leafState, LeafState::Open);
+        EXPECT_EQ(door.leaves, 1);
+        const Wall& host =
+            *std::find_if(r.walls.walls.begin(), r.walls.walls.end(), [&](const Wall& w) { return w.id == door.host; });
+        EXPECT_EQ(door.hingeAtStart, (host.direction().y() > 0) == hingeIsLow);
+        EXPECT_EQ(door.opensToLeft, host.normal().x() > 0);
+        expectHole(r, door, hole);
+    }
+}
+
+TEST(Openings, FindTheTwoLeavesOfADoubleDoorByTheirShape)
+{
+    const HoleInPartition hole{0.6, 1.8, 0.0, 2.1};
+    HandMadeCloud cloud = hole.cloud();
+    hole.addReveals(cloud);
+    addLeaf(cloud, hole.y + 0.02, 0.88, 2.05);
+    addLeaf(cloud, hole.y + hole.width - 0.02, 0.88, 2.05);
+    const auto r = storeyOf(cloud, false);
+    ASSERT_EQ(r.openings.openings.size(), 1u);
+    EXPECT_EQ(r.openings.openings[0].kind, OpeningKind::Door);
+    EXPECT_EQ(r.openings.openings[0].leafState, LeafState::Open);
+    EXPECT_EQ(r.openings.openings[0].leaves, 2);
+}
+
+TEST(Openings, TakeNoWallBesideAHoleForItsLeaf)
+{
+    // It stands where a leaf would, and goes on above the head or beyond the leaf's width.
+    for (const auto& [width, top] : {std::pair(0.85, 2.6), std::pair(2.5, 2.05)})
+    {
+        const HoleInPartition hole;
+        HandMadeCloud cloud = hole.cloud();
+        hole.addReveals(cloud);
+        addLeaf(cloud, hole.y - 0.1, width, top);
+        for (const Opening& o : storeyOf(cloud, false).openings.openings)
+            EXPECT_NE(o.leafState, LeafState::Open) << width << " m wide, " << top << " m high";
+    }
+}
+
+TEST(Openings, FindTheWindowBehindFurniture)
+{
+    // A cupboard hides the western face from the floor to above the sill; the eastern face was not seen at all.
+    const HoleInPartition hole{0.8, 1.4, 0.9, 2.2};
+    HandMadeCloud cloud;
+    RoomGaps gaps;
+    gaps.east = {{hole.y, hole.y + hole.width, hole.sill, hole.head},
+                 {hole.y - 0.2, hole.y + hole.width + 0.1, 0.0, 0.9}};
+    cloud.room({0, 0}, {4, 3}, 0, 2.6, gaps);
+    hole.addReveals(cloud);
+    cloud.wallFace({4.12, hole.y}, {4.12, hole.y + hole.width}, hole.sill, hole.head, Label::Unassigned);  // the pane
+    const auto r = storeyOf(cloud, false);
+    ASSERT_EQ(r.openings.openings.size(), 1u);
+    const Opening& window = r.openings.openings[0];
+    EXPECT_EQ(window.kind, OpeningKind::Window);
+    EXPECT_NEAR(window.sill.value_m, hole.sill, kEdge_m);
+    EXPECT_NEAR(window.width.value_m, hole.width, 2 * kEdge_m);
+    EXPECT_NEAR(window.sill.value_m + window.height.value_m, hole.head, kEdge_m);
+}
+
 TEST(Openings, FindADoorWhoseLeafIsGone)
 {
     const HoleInPartition hole;
@@ -210,6 +287,45 @@ TEST(Openings, LieWithinTheirWall)
     EXPECT_GE(o.offset_m, host.bodyStart_m - 1e-9);
     EXPECT_LE(o.offset_m + o.width.value_m, host.bodyEnd_m + 1e-9);
     EXPECT_LE(o.sill.value_m + o.height.value_m, host.height.value_m + 1e-9);
+}
+
+/// Two rooms with a part missing in both faces of their partition, of whose jambs, head and floor nothing was seen;
+/// and, if someone looked through, what the scanner in the one room saw in the other.
+HandMadeCloud missingPart(bool looksThrough)
+{
+    HandMadeCloud cloud;
+    const Gap gap{1.0, 1.9, 0.0, 2.1};
+    RoomGaps west, east;
+    west.east = east.west = {gap};
+    cloud.standAt({1.5, 1.45, 1.5});
+    cloud.room({0, 0}, {4, 3}, 0, 2.6, west);
+    if (looksThrough)
+        cloud.wallFace({8.2, 0.9}, {8.2, 2.0}, 0.2, 2.2);
+    cloud.standAt({6, 1.45, 1.5});
+    cloud.room({4.2, 0}, {8.2, 3}, 0, 2.6, east);
+    return cloud;
+}
+
+TEST(Openings, AreWhereTheScannerLookedThrough)
+{
+    for (const bool withLabels : {true, false})
+    {
+        const auto r = storeyOf(missingPart(true), withLabels);
+        ASSERT_EQ(r.openings.openings.size(), 1U) << "labels: " << withLabels;
+        HoleInPartition hole;
+        expectHole(r, r.openings.openings.front(), hole);
+    }
+}
+
+TEST(Openings, AreNotWhereNobodyLooked)
+{
+    for (const bool withLabels : {true, false})
+    {
+        EXPECT_TRUE(storeyOf(missingPart(false), withLabels).openings.openings.empty());
+        HandMadeCloud unknown = missingPart(true);
+        unknown.forgetStations();
+        EXPECT_TRUE(storeyOf(unknown, withLabels).openings.openings.empty());
+    }
 }
 
 }  // namespace
