@@ -37,7 +37,8 @@ document.getElementById('points').addEventListener('change', e =>
 """
 
 CHIPS = {"missed": "missed", "false positive": "extra", "out of tolerance": "out"}
-MODE_TITLES = {"given": "labels given", "degraded": "labels degraded, occluded", "geometry": "geometry only"}
+MODE_TITLES = {"given": "labels given", "degraded": "labels degraded, occluded", "geometry": "geometry only",
+               "segmented": "labels of a model"}
 
 
 def text(value):

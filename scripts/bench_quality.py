@@ -16,7 +16,8 @@ from pathlib import Path
 
 import bench_page
 
-MODES = ("given", "degraded", "geometry")
+MODES = ("given", "degraded", "geometry", "segmented")
+SHIPPED_MODEL = Path(__file__).resolve().parent.parent / "core/segmentation/model.onnx"
 CLASSES = ("wall", "door", "window", "column", "slab")
 
 # What differs from survey to survey is what makes reconstruction hard. Options of scripts/survey.
@@ -83,6 +84,8 @@ def measure(options, folder, mode):
                "--ifc", options.out / f"{name}.ifc", "--json", out]
     if options.stations:
         command += ["--stations", folder / "gt.json"]
+    if mode == "segmented" and options.model:
+        command += ["--model", options.model]
     for assignment in options.set:
         command += ["--set", assignment]
     run(command)
@@ -94,8 +97,16 @@ def of(element, value, scale=1.0):
     return lambda row: None if row[element][value] is None else scale * row[element][value]
 
 
-def columns():
+def of_labels(name):
+    return lambda row: row.get("labels", {}).get(name)
+
+
+def columns(with_labels=False):
     out = []
+    if with_labels:
+        out += [("labels", title, of_labels(name), 2) for name, title in
+                (("mean", "mIoU"), ("floor", "flo"), ("ceiling", "cei"), ("wall", "wal"), ("column", "col"), ("door", "doo"), ("window", "win"))]
+        out.append(("labels", "sec", of_labels("seconds"), 1))
     for name in CLASSES:
         out += [(name, "IoU", of(name, "iou"), 2), (name, "F1", of(name, "f1"), 2)]
         if name == "wall":
@@ -112,7 +123,7 @@ def mean_row(rows, mode):
     """The mean over the surveys that have a value, of a class those whose truth has it; of the counts of storeys, the
     sum."""
     row = {"survey": "mean", "mode": mode, "cells": []}
-    for group, title, value, _ in columns():
+    for group, title, value, _ in columns(any("labels" in r for r in rows)):
         asked = [r for r in rows if r["mode"] == mode and (group not in CLASSES or r[group]["truth"] > 0)]
         known = [v for v in (value(r) for r in asked) if v is not None]
         total = sum(known)
@@ -122,7 +133,7 @@ def mean_row(rows, mode):
 
 def table(rows, modes):
     """Header of two lines, one line a survey and mode, and the means: lists of texts."""
-    kinds = columns()
+    kinds = columns(any("labels" in row for row in rows))
     lines = []
     for row in rows:
         cells = row["cells"] if "cells" in row else [c[2](row) for c in kinds]
@@ -158,7 +169,8 @@ def main():
     parser = argparse.ArgumentParser(prog="scripts/bench quality", description=__doc__.split("\n\n")[0])
     parser.add_argument("folder", metavar="DIR", nargs="?", type=Path,
                         help="folder of surveys, each a folder with scan.laz and gt.json; without it the simulator's")
-    parser.add_argument("--modes", default=",".join(MODES), help="given, degraded, geometry (default: all)")
+    parser.add_argument("--modes", help="given, degraded, geometry, segmented (default: all; the last one where there is a model)")
+    parser.add_argument("--model", type=Path, metavar="FILE.onnx", help="of the mode segmented (default: the shipped one)")
     parser.add_argument("--surveys", help="only these, by name, comma separated")
     parser.add_argument("--out", type=Path, help="where models, scores and the page go (default: build/bench)")
     parser.add_argument("--stations", action="store_true",
@@ -169,7 +181,8 @@ def main():
     parser.add_argument("--build", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--data", type=Path, required=True, help=argparse.SUPPRESS)
     options = parser.parse_args()
-    modes = options.modes.split(",")
+    has_model = options.model or SHIPPED_MODEL.exists()
+    modes = options.modes.split(",") if options.modes else [m for m in MODES if m != "segmented" or has_model]
     for mode in modes:
         if mode not in MODES:
             fail(f"there is no mode {mode}, use {', '.join(MODES)}")

@@ -32,6 +32,10 @@ namespace s2b
 	/** Two or more clouds are taken together. They are not changed. Cancelling leaves nothing behind. **/
 	void reconstructSelection(ccMainAppInterface& app);
 
+	//! Asks for the model, labels the points in a worker thread and adds class and confidence to the clouds as scalar fields
+	/** Two or more clouds are taken together. Nothing else of them changes. Cancelling leaves nothing behind. **/
+	void segmentSelection(ccMainAppInterface& app);
+
 	//! Asks for a file and writes the selected model without the elements that were deleted from its tree
 	void exportSelection(ccMainAppInterface& app);
 

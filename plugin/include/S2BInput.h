@@ -37,9 +37,11 @@ namespace s2b
 		std::vector<Eigen::Vector3d>         stations;       //!< of the scanner, as far as they are known
 		std::vector<std::uint16_t>           stationOfPoint; //!< empty when that is not known, or there is one only
 		QString                              stationText;    //!< what is known of them, for people; empty for nothing
+		std::vector<std::uint8_t>            ownConfidence;
+		std::vector<std::uint8_t>            ownColors;
 	};
 
-	//! Name of the field that holds the labels by custom (Classification, label), empty when there is none
+	//! Name of the field that holds the labels: those of Segment..., or by custom (Classification, label); empty when there is none
 	QString defaultLabelField(const ccPointCloud& cloud);
 
 	//! How many points each code of a field has; a value that is not a whole number counts under its floor

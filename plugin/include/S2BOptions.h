@@ -20,8 +20,10 @@ namespace s2b
 		PipelineOptions pipeline;
 		QString         labelField; //!< empty: the usual names are looked for
 		LabelMap        labelMap;
-		QString         stationFile; //!< empty: the clouds' sensors count
-		QString         ifcPath; //!< empty: <cloud>.ifc beside the cloud
+		QString         stationFile;     //!< empty: the clouds' sensors count
+		bool            segment = false; //!< label the points with a model first
+		QString         modelPath;       //!< empty: the shipped one
+		QString         ifcPath;         //!< empty: <cloud>.ifc beside the cloud
 		QString         schema      = "IFC4";
 		unsigned        threads     = 0; //!< 0: all
 		std::uint64_t   seed        = 1;

@@ -25,6 +25,7 @@ class qScanToBim : public QObject
 
   private:
 	QAction* m_reconstruct = nullptr;
+	QAction* m_segment     = nullptr;
 	QAction* m_exportIfc   = nullptr;
 	QAction* m_validate    = nullptr;
 };

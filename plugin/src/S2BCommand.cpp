@@ -7,6 +7,7 @@
 #include "S2BMemory.h"
 #include "S2BOptions.h"
 #include "S2BRun.h"
+#include "S2BSegment.h"
 #include "S2BSummary.h"
 #include "S2BValidate.h"
 #include "core/report/scene.h"
@@ -106,6 +107,8 @@ namespace s2b
 			}
 		}
 
+		constexpr double kRead          = 0.2; // shares of the time
+		constexpr double kLabelled      = 0.4; // when a model labels the points
 		constexpr double kReconstructed = 0.7; // share of the time, when the model is validated too
 		constexpr double kCompared      = 0.9;
 
@@ -154,6 +157,70 @@ namespace s2b
 			return names.join(", ");
 		}
 
+		// The model of -SEGMENT, opened before any work: a bad one is told at once.
+		std::optional<OnnxModel> chosenModel(ccCommandLineInterface& cmd, const CommandOptions& options)
+		{
+			std::optional<OnnxModel> model;
+			if (options.segment)
+			{
+				model = openModel(options.modelPath, options.threads);
+				cmd.print(QString("[S2B] segmentation with %1: %2").arg(QString::fromStdString(model->name()), modelText(*model)));
+			}
+			return model;
+		}
+
+		// The points, and the labels that they have where no model is to make them.
+		Input readInput(ccCommandLineInterface& cmd, const CommandOptions& options)
+		{
+			const std::vector<const ccPointCloud*> clouds = openedClouds(cmd);
+
+			Input input = makeInput(clouds, {!options.pipeline.geometryOnly && !options.segment, options.labelField, options.labelMap}, options.stationFile);
+			cmd.print(QString("[S2B] %1 points in %2").arg(input.view.count).arg(clouds.size() == 1 ? QString("one cloud") : QString("%1 clouds, taken together").arg(clouds.size())));
+			if (!input.warning.isEmpty())
+				cmd.warning("[S2B] " + input.warning);
+			if (!input.labelField.isEmpty())
+				cmd.print("[S2B] " + labelSummary(input, QString::fromStdString(options.labelMap.name)));
+			if (!input.stationText.isEmpty())
+				cmd.print("[S2B] " + input.stationText);
+			return input;
+		}
+
+		void labelWith(ccCommandLineInterface& cmd, const std::optional<OnnxModel>& model, Input& input, const Context& context)
+		{
+			if (!model)
+				return;
+			segmentInput(input, *model, context);
+			cmd.print("[S2B] labels: " + segmentationText(input));
+		}
+
+		// For the commands that follow; without any nobody could save them.
+		void addFields(ccCommandLineInterface& cmd, const Input& input)
+		{
+			if (cmd.arguments().isEmpty())
+				return;
+			std::size_t first = 0;
+			for (const CLCloudDesc& desc : cmd.clouds())
+			{
+				addSegmentationFields(*desc.pc, input, first);
+				first += desc.pc->size();
+			}
+		}
+
+		// -SEGMENT -STAGES none: the labels are all that is wanted.
+		void segmentOnly(ccCommandLineInterface& cmd, const CommandOptions& options)
+		{
+			if (cmd.clouds().empty())
+				throw Error(ErrorCode::EmptyCloud, "there is no point cloud: open one before -S2B with -O FILE");
+			const StepMeter                meter;
+			const std::optional<OnnxModel> model = chosenModel(cmd, options);
+			Input                          input = readInput(cmd, options);
+			labelWith(cmd, model, input, makeContext(cmd, options));
+			if (cmd.arguments().isEmpty())
+				cmd.warning("[S2B] the labels are not saved: add -SAVE_CLOUDS");
+			addFields(cmd, input);
+			cmd.print("[S2B] " + meter.text());
+		}
+
 		// -STAGES none: nothing is reconstructed, what is there is compared.
 		void compareOnly(ccCommandLineInterface& cmd, const CommandOptions& options)
 		{
@@ -166,13 +233,15 @@ namespace s2b
 			const CloudView* cloud = nullptr;
 			if (!cmd.clouds().empty())
 			{
-				input = makeInput(openedClouds(cmd), {!options.pipeline.geometryOnly, options.labelField, options.labelMap});
+				const std::optional<OnnxModel> model = chosenModel(cmd, options);
+				input                                = readInput(cmd, options);
+				labelWith(cmd, model, input, partOf(context, 0.0, kRead));
 				cloud = &input.view;
 			}
 			std::optional<Eigen::Vector3d> near;
 			if (cloud)
 				near = middleOf(*cloud);
-			context.report("Reading the models", 0.0);
+			context.report("Reading the models", kRead);
 			std::optional<validation::Bim> truth;
 			if (!options.truthPath.isEmpty())
 				truth = readGroundTruth(options.truthPath, near, options.storeys, context);
@@ -195,7 +264,7 @@ namespace s2b
 				if (truth)
 					checkPlace(*truth, *cloud);
 			}
-			const ValidationOutcome outcome = compareModels(std::move(truth), std::move(result), cloud, options.validation, partOf(context, 0.2, kCompared));
+			const ValidationOutcome outcome = compareModels(std::move(truth), std::move(result), cloud, options.validation, partOf(context, kRead, kCompared));
 			const QString           folder  = options.reportFolder.isEmpty() ? defaultReportFolder(base) : options.reportFolder;
 			finishValidation(cmd, outcome, cloud, {cloudNames(cmd), nullptr, {}}, folder, partOf(context, kCompared, 1.0));
 			cmd.print("[S2B] " + meter.text());
@@ -206,20 +275,12 @@ namespace s2b
 			if (cmd.clouds().empty())
 				throw Error(ErrorCode::EmptyCloud, "there is no point cloud: open one before -S2B with -O FILE");
 
-			const StepMeter                        meter;
-			const std::vector<const ccPointCloud*> clouds = openedClouds(cmd);
-			const CLCloudDesc                      first  = cmd.clouds().front();
-			const QString                          path   = options.ifcPath.isEmpty() ? defaultIfcPath(first) : options.ifcPath;
+			const StepMeter   meter;
+			const CLCloudDesc first = cmd.clouds().front();
+			const QString     path  = options.ifcPath.isEmpty() ? defaultIfcPath(first) : options.ifcPath;
 
-			const Input input = makeInput(clouds, {!options.pipeline.geometryOnly, options.labelField, options.labelMap}, options.stationFile);
-			cmd.print(QString("[S2B] %1 points in %2").arg(input.view.count).arg(clouds.size() == 1 ? QString("one cloud") : QString("%1 clouds, taken together").arg(clouds.size())));
-			if (!input.warning.isEmpty())
-				cmd.warning("[S2B] " + input.warning);
-			if (!input.labelField.isEmpty())
-				cmd.print("[S2B] " + labelSummary(input, QString::fromStdString(options.labelMap.name)));
-
-			if (!input.stationText.isEmpty())
-				cmd.print("[S2B] " + input.stationText);
+			const std::optional<OnnxModel> model = chosenModel(cmd, options);
+			Input                          input = readInput(cmd, options);
 
 			// A truth that can't be used is found out before the work, not after it.
 			const Context                  context = makeContext(cmd, options);
@@ -230,8 +291,12 @@ namespace s2b
 				checkPlace(*truth, input.view);
 			}
 
-			const Building          building = reconstruct(input.view, options.pipeline, options.validates() ? partOf(context, 0.0, kReconstructed) : context);
-			const ifc::WriteOptions record   = writeOptions(options.pipeline, options.seed, first.basename, options.schema);
+			const double labelled = model ? kLabelled : 0.0;
+			labelWith(cmd, model, input, partOf(context, 0.0, labelled));
+			const Building    building = reconstruct(input.view, options.pipeline, partOf(context, labelled, options.validates() ? kReconstructed : 1.0));
+			ifc::WriteOptions record   = writeOptions(options.pipeline, options.seed, first.basename, options.schema);
+			if (model)
+				record.parameters.emplace_back("segmentation", QFileInfo(QString::fromStdString(model->name())).fileName().toStdString());
 			writeModel(building, path, record);
 
 			printDiagnostics(cmd, building);
@@ -247,7 +312,9 @@ namespace s2b
 			}
 			cmd.print("[S2B] " + meter.text());
 
-			for (NamedMesh& element : makeMeshes(building, *clouds.front()))
+			if (model)
+				addFields(cmd, input);
+			for (NamedMesh& element : makeMeshes(building, *first.pc))
 			{
 				ccMesh* mesh = element.mesh.release();
 				cmd.meshes().emplace_back(mesh, first.basename + '_' + element.name, first.path);
@@ -260,6 +327,8 @@ namespace s2b
 			                                                   { return isCommand(cmd, keyword); });
 			if (options.reconstruct)
 				reconstructAll(cmd, options);
+			else if (options.segment && options.ifcPath.isEmpty() && options.truthPath.isEmpty())
+				segmentOnly(cmd, options);
 			else
 				compareOnly(cmd, options);
 		}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "S2BInput.h"
 
+#include "S2BSegment.h"
 #include "S2BStations.h"
 #include "core/base/error.h"
 
@@ -144,6 +145,49 @@ namespace s2b
 			fail(ErrorCode::BadLabels, QString("the label map '%1' has no class for code %2 of the field '%3' in the cloud '%4': choose another map with -LABEL_MAP (s2b, s3dis, scannet, asprs or a TOML file), or use -GEOMETRY_ONLY").arg(QString::fromStdString(map.name), codes.join(", "), field.getName(), cloud.getName()));
 		}
 
+		// How sure Segment... was, where the labels are its own.
+		void readConfidence(const std::vector<const ccPointCloud*>& clouds, Input& input)
+		{
+			if (input.labelField != kClassField)
+				return;
+			std::vector<std::uint8_t> confidence;
+			confidence.reserve(input.view.count);
+			for (const ccPointCloud* cloud : clouds)
+			{
+				const ccScalarField* field = findField(*cloud, kConfidenceField);
+				if (!field)
+					return; // deleted by hand: then all labels count the same
+				for (unsigned i = 0; i < cloud->size(); ++i)
+				{
+					const double value = static_cast<double>(field->getValue(i));
+					confidence.push_back(static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(std::isnan(value) ? 0.0 : value, 0.0, 1.0))));
+				}
+			}
+			input.ownConfidence   = std::move(confidence);
+		}
+
+		// A single cloud's colours are read in place, as its points are.
+		void viewColors(const std::vector<const ccPointCloud*>& clouds, Input& input)
+		{
+			if (!std::all_of(clouds.begin(), clouds.end(), [](const ccPointCloud* cloud)
+			                 { return cloud->hasColors(); }))
+				return;
+			if (clouds.size() == 1)
+			{
+				static_assert(sizeof(ccColor::Rgba) == 4 && sizeof(ColorCompType) == 1);
+				input.view.rgb       = clouds.front()->rgbaColors()->front().rgba;
+				input.view.rgbStride = sizeof(ccColor::Rgba);
+				return;
+			}
+			input.ownColors.reserve(3 * input.view.count);
+			for (const ccPointCloud* cloud : clouds)
+			{
+				for (const ccColor::Rgba& color : *cloud->rgbaColors())
+					input.ownColors.insert(input.ownColors.end(), {color.r, color.g, color.b});
+			}
+			input.view.rgb = input.ownColors.data();
+		}
+
 		void readAllLabels(const std::vector<const ccPointCloud*>& clouds, const LabelChoice& choice, Input& input)
 		{
 			std::vector<const ccScalarField*> fields;
@@ -163,7 +207,7 @@ namespace s2b
 			}
 			input.ownLabels.reserve(input.view.count);
 			for (std::size_t i = 0; i < clouds.size(); ++i)
-				readLabels(*clouds[i], *fields[i], choice.map, input);
+				readLabels(*clouds[i], *fields[i], fields[i]->getName() == QString(kClassField) ? builtInLabelMap("s2b") : choice.map, input);
 			if (input.labelCounts[static_cast<std::size_t>(Label::Unassigned)] == input.view.count)
 			{
 				input.warning = QString("the field '%1' leaves every point unassigned: working from the geometry alone").arg(fields.front()->getName());
@@ -171,8 +215,17 @@ namespace s2b
 				input.ownLabels.shrink_to_fit();
 				return;
 			}
+			// Such labels (an airborne survey's, say) would leave the building without walls.
+			if (input.labelCounts[static_cast<std::size_t>(Label::Wall)] + input.labelCounts[static_cast<std::size_t>(Label::Column)] == 0)
+			{
+				input.warning = QString("the field '%1' with the map '%2' names no wall and no column: working from the geometry alone").arg(fields.front()->getName(), QString::fromStdString(choice.map.name));
+				input.ownLabels.clear();
+				input.ownLabels.shrink_to_fit();
+				return;
+			}
 			input.labelField  = fields.front()->getName();
 			input.view.labels = input.ownLabels.data();
+			readConfidence(clouds, input);
 		}
 
 		// One cloud as it is: a view. Several, or a scaled one: a copy about the first one's origin.
@@ -206,7 +259,7 @@ namespace s2b
 
 	QString defaultLabelField(const ccPointCloud& cloud)
 	{
-		for (const char* name : {"Classification", "label"})
+		for (const char* name : {kClassField, "Classification", "label"})
 		{
 			if (const ccScalarField* field = findField(cloud, name))
 				return field->getName();
@@ -257,6 +310,7 @@ namespace s2b
 			input.view.count += cloud->size();
 		}
 		viewPoints(clouds, input);
+		viewColors(clouds, input);
 		if (labels.use)
 			readAllLabels(clouds, labels, input);
 		addStations(clouds, stationFile, input);

@@ -117,6 +117,8 @@ namespace s2b
 		     { o.labelField = v; }},
 		    {"LABEL_MAP", "NAME|FILE", false, "which code means what: s2b (default), s3dis, scannet, asprs, or a TOML file", [](CommandOptions& o, const QString& v)
 		     { o.labelMap = loadLabelMap(localPath(v)); }},
+		    {"SEGMENT", "[FILE.onnx]", false, "label the points with an ONNX model first: the shipped one, or FILE", [](CommandOptions& o, const QString& v)
+		     { o.segment = true; o.modelPath = v.isEmpty() ? v : readablePath("SEGMENT", v); }},
 		    {"GEOMETRY_ONLY", "", false, "use no labels", [](CommandOptions& o, const QString&)
 		     { o.pipeline.geometryOnly = true; }},
 		    {"STATIONS", "FILE", false, "where the scanner stood: lines 'id x y z' (id: the points' source id), or JSON (default: the clouds' sensors)", [](CommandOptions& o, const QString& v)
@@ -171,8 +173,11 @@ namespace s2b
 			}
 			arguments.pop_front();
 
-			QString value;
-			if (*row->value)
+			QString    value;
+			const bool isOptional = *row->value == '[';
+			if (isOptional && !arguments.isEmpty() && !arguments.front().startsWith('-'))
+				value = arguments.takeFirst();
+			else if (*row->value && !isOptional)
 			{
 				if (arguments.isEmpty() || arguments.front().startsWith('-'))
 					fail(QString("-%1 needs a value: -%1 %2").arg(row->name, row->value));
@@ -191,10 +196,12 @@ namespace s2b
 
 		if (options.pipeline.geometryOnly && !options.labelField.isEmpty())
 			fail("-GEOMETRY_ONLY and -LABELS contradict each other: give one of them");
+		if (options.segment && (options.pipeline.geometryOnly || !options.labelField.isEmpty()))
+			fail(QString("-SEGMENT and -%1 contradict each other: give one of them").arg(options.labelField.isEmpty() ? "GEOMETRY_ONLY" : "LABELS"));
 		validation::checkParams(options.validation);
 		if (options.truthPath.isEmpty() && !options.storeys.isEmpty())
 			fail("-STOREYS chooses storeys of a ground truth: give one with -VALIDATE FILE");
-		if (!options.reconstruct && options.ifcPath.isEmpty() && options.truthPath.isEmpty())
+		if (!options.reconstruct && !options.segment && options.ifcPath.isEmpty() && options.truthPath.isEmpty())
 			fail("-STAGES none reconstructs nothing and there is no model to measure: give one with -IFC FILE, and a ground truth with -VALIDATE FILE");
 		return options;
 	}

@@ -23,6 +23,13 @@ QList<QAction*> qScanToBim::getActions()
 		connect(m_reconstruct, &QAction::triggered, this, [this]
 		        { s2b::reconstructSelection(*m_app); });
 
+		m_segment = new QAction(QIcon(":/CC/plugin/qScanToBim/images/segment.png"), tr("Segment..."), this);
+		m_segment->setObjectName("S2B.Segment");
+		m_segment->setToolTip(tr("Label the points of the selected clouds as floor, ceiling, wall, door, ... with a trained model"));
+		m_segment->setEnabled(false);
+		connect(m_segment, &QAction::triggered, this, [this]
+		        { s2b::segmentSelection(*m_app); });
+
 		m_exportIfc = new QAction(QIcon(":/CC/plugin/qScanToBim/images/export_ifc.png"), tr("Export IFC..."), this);
 		m_exportIfc->setObjectName("S2B.ExportIfc");
 		m_exportIfc->setToolTip(tr("Write the selected model, without what was deleted from it, as an IFC file"));
@@ -37,13 +44,15 @@ QList<QAction*> qScanToBim::getActions()
 		connect(m_validate, &QAction::triggered, this, [this]
 		        { s2b::validateSelection(*m_app); });
 	}
-	return {m_reconstruct, m_exportIfc, m_validate};
+	return {m_reconstruct, m_segment, m_exportIfc, m_validate};
 }
 
 void qScanToBim::onNewSelection(const ccHObject::Container& selectedEntities)
 {
 	if (m_reconstruct)
 		m_reconstruct->setEnabled(!s2b::cloudsOf(selectedEntities).empty());
+	if (m_segment)
+		m_segment->setEnabled(!s2b::cloudsOf(selectedEntities).empty());
 	if (m_exportIfc)
 		m_exportIfc->setEnabled(s2b::modelOf(selectedEntities) != nullptr);
 	if (m_validate)

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// s2b_quality SCAN.laz TRUTH --mode given|degraded|geometry --ifc OUT.ifc --json OUT.json: one survey in one mode, as
+/// s2b_quality SCAN.laz TRUTH --mode given|degraded|geometry|segmented --ifc OUT.ifc --json OUT.json: one survey in one mode, as
 /// scripts/bench quality runs it: reconstructed, written, read back, scored, and drawn storey by storey.
 #include "core/pipeline/pipeline.h"
 #include "core/report/html.h"
 #include "core/report/plan_view.h"
 #include "core/report/rasters.h"
+#include "core/segmentation/segment.h"
+#include "core/segmentation/shipped_model.h"
 #include "core/validation/validation.h"
 #include "ifc/bim_reader.h"
 #include "ifc/ifc_writer.h"
@@ -30,7 +32,7 @@ using namespace s2b::validation;
 
 struct Options
 {
-    std::string cloud, truth, stations, mode = "given", ifc, json;
+    std::string cloud, truth, stations, mode = "given", model, ifc, json;
     std::vector<std::string> assignments;
     unsigned threads = 0;
     std::uint64_t seed = 7;
@@ -44,6 +46,46 @@ double seconds()
 Json number(std::optional<double> value)
 {
     return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+OnnxModel openModel(const Options& o)
+{
+    if (!o.model.empty())
+        return OnnxModel::load(o.model, o.threads);
+    if (shippedModel().empty())
+        throw Error(ErrorCode::BadFile, "there is no shipped model, give one with --model");
+    return OnnxModel::fromBytes(shippedModel(), kShippedModelName, o.threads);
+}
+
+/// Intersection over union of each class's points; null for a class that neither has. Points that the truth leaves
+/// unassigned say nothing. The mean is over the classes that the truth has, of those that make a building.
+Json labelsJson(const CloudView& truth, const Segmentation& result, double seconds)
+{
+    std::array<double, kLabelCount> both{}, either{}, there{};
+    for (std::size_t i = 0; i < truth.count; ++i)
+    {
+        const std::size_t a = truth.labels[i], b = result.labels[i];
+        if (a == static_cast<std::size_t>(Label::Unassigned))
+            continue;
+        ++there[a];
+        ++either[a];
+        if (a == b)
+            ++both[a];
+        else
+            ++either[b];
+    }
+    Json out{{"seconds", seconds}};
+    double sum = 0, classes = 0;
+    for (std::size_t k = 1; k < kLabelCount; ++k)
+    {
+        const auto label = static_cast<Label>(k);
+        const double iou = either[k] > 0 ? both[k] / either[k] : 0.0;
+        out[std::string(labelName(label))] = either[k] > 0 ? Json(iou) : Json(nullptr);
+        if (there[k] > 0 && label <= Label::Window)
+            sum += iou, classes += 1;
+    }
+    out["mean"] = classes > 0 ? Json(sum / classes) : Json(nullptr);
+    return out;
 }
 
 /// A class that neither truth nor result has says nothing: null.
@@ -131,8 +173,9 @@ Json plansJson(const Bim& truth, const Bim& result, const CloudView& view, const
 
 Json run(const Options& o)
 {
+    std::vector<std::array<std::uint8_t, 3>> colours;
     std::vector<std::uint16_t> sources;
-    PointCloud cloud = readLaz(o.cloud, nullptr, o.stations.empty() ? nullptr : &sources);
+    PointCloud cloud = readLaz(o.cloud, o.mode == "segmented" ? &colours : nullptr, o.stations.empty() ? nullptr : &sources);
     if (cloud.points.empty())
         throw Error(ErrorCode::EmptyCloud, o.cloud + " has no points");
     if (o.mode == "degraded")
@@ -150,6 +193,18 @@ Json run(const Options& o)
     Context context;
     context.threads = o.threads;
     const bench::MemoryMeter memory;
+    Json labels;
+    Segmentation segmentation;
+    if (o.mode == "segmented")
+    {
+        if (!colours.empty())
+            view.rgb = colours.front().data();
+        const OnnxModel model = openModel(o);
+        const double start = seconds();
+        segmentation = segment(view, model, {}, context);
+        labels = labelsJson(view, segmentation, seconds() - start);
+        view.labels = segmentation.labels.data();
+    }
     const double start = seconds();
     const Building building = reconstruct(view, pipeline, context);
     const double took = seconds() - start;
@@ -181,6 +236,8 @@ Json run(const Options& o)
         const auto score = v.scores.find(c);
         out[className(c)] = scoreJson(score == v.scores.end() ? ClassScore{} : score->second);
     }
+    if (!labels.is_null())
+        out["labels"] = labels;
     out["plans"] = plansJson(truth, result, view, context);
     return out;
 }
@@ -193,8 +250,9 @@ int main(int argc, char** argv)
     Options o;
     app.add_option("cloud", o.cloud, "LAS or LAZ file")->required();
     app.add_option("truth", o.truth, "what a simulated survey wrote beside it, IFC, or CV4AEC JSON")->required();
-    app.add_option("--mode", o.mode, "given, degraded (wrong labels, occlusion) or geometry (no labels)")
-        ->check(CLI::IsMember({"given", "degraded", "geometry"}));
+    app.add_option("--mode", o.mode, "given, degraded (wrong labels, occlusion), geometry (no labels) or segmented")
+        ->check(CLI::IsMember({"given", "degraded", "geometry", "segmented"}));
+    app.add_option("--model", o.model, "ONNX file for segmented (default: the shipped one)");
     app.add_option("--stations", o.stations,
                    "where the scanner stood, by the points' source ids: the truth, or a file");
     app.add_option("--ifc", o.ifc, "the model to write")->required();

@@ -44,10 +44,11 @@ def surveys(tmp_path_factory):
 
 
 def test_all_modes_of_a_survey_are_scored_and_drawn(surveys, tmp_path):
-    done = bench(surveys, "--out", tmp_path)
+    modes = ("given", "degraded", "geometry", "segmented")
+    done = bench(surveys, "--out", tmp_path, "--modes", ",".join(modes), "--model", BUILD / "test_models" / "rules.onnx")
     assert done.returncode == 0, done.stderr
     rows = table(done.stdout)
-    assert list(rows) == [("tiny", m) for m in ("given", "degraded", "geometry")] + [("mean", m) for m in ("given", "degraded", "geometry")]
+    assert list(rows) == [(survey, m) for survey in ("tiny", "mean") for m in modes]
     given = rows["tiny", "given"]
     # Two rooms with right labels: well within what the reconstruction's own tests ask for (all walls, 5 mm).
     assert 0.8 < given["wall IoU"] <= 1.0
@@ -57,13 +58,18 @@ def test_all_modes_of_a_survey_are_scored_and_drawn(surveys, tmp_path):
     assert given["err"] < 20
     assert 0 < given["time"] < 120
     assert 10 < given["peak"] < 4000
+    # One linear layer that looks at height and normal: it tells floors and ceilings, and takes cupboards for walls.
+    segmented = rows["tiny", "segmented"]
+    assert segmented["flo"] > 0.7 and segmented["cei"] > 0.7 and segmented["wal"] > 0.4
+    assert segmented["doo"] == 0 and 0.2 < segmented["mIoU"] < 0.9
+    assert given["mIoU"] is None
     for mode in ("degraded", "geometry"):
         assert 0.3 < rows["tiny", mode]["wall IoU"] <= 1.0
     assert rows["mean", "given"]["wall IoU"] == given["wall IoU"], "the mean of one survey is that survey"
     page = (tmp_path / "quality.html").read_text()
-    assert page.count("<figure>") == 3
-    assert page.count('aria-label="Plan of') == 3
-    for mode in ("given", "degraded", "geometry"):
+    assert page.count("<figure>") == 4
+    assert page.count('aria-label="Plan of') == 4
+    for mode in modes:
         assert (tmp_path / f"tiny-{mode}.ifc").stat().st_size > 1000
 
 

@@ -101,6 +101,14 @@ def test_without_labels_it_warns_and_uses_the_geometry(cloudcompare, tmp_path, r
     assert_valid(tmp_path / "bare.ifc")
 
 
+def test_labels_that_name_no_wall_leave_it_to_the_geometry(cloudcompare, tmp_path, room):
+    points, codes = room
+    asprs = np.choose(codes, [1, 2, 6, 6])  # ground and building
+    run = cloudcompare("-O", write_ply(tmp_path / "airborne.ply", points, Classification=asprs), "-S2B", "-LABEL_MAP", "asprs")
+    assert run.rc == 0
+    assert any("names no wall" in line and "geometry alone" in line for line in run.ours)
+
+
 def test_geometry_only_does_not_look_at_the_labels(cloudcompare, tmp_path, room):
     points, codes = room
     codes[:] = 99  # would be refused

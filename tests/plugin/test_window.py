@@ -80,6 +80,12 @@ def test_unknown_codes_are_shown(window, to_bin, tmp_path, room):
     window("labels", to_bin(write_ply(tmp_path / "codes.ply", points, Classification=codes)))
 
 
+def test_segment_adds_class_and_confidence(window, to_bin, survey, tmp_path):
+    bad = tmp_path / "bad.onnx"
+    bad.write_text("this is no model")
+    window("segment", to_bin(survey), S2B_DRIVER_MODEL=os.environ["S2B_TEST_MODELS"] + "/rules.onnx", S2B_DRIVER_BAD_MODEL=str(bad))
+
+
 def test_validate_shows_verdicts_and_deviations(window, to_bin, survey, tmp_path, output):
     shutil.rmtree(output / "window_report", ignore_errors=True)
     bad = tmp_path / "bad.ifc"
