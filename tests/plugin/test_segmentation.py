@@ -53,6 +53,13 @@ def test_class_and_confidence_are_saved_with_the_cloud(cloudcompare, tmp_path, r
     assert confidence[found == codes].mean() > confidence[found != codes].mean()
 
 
+def test_the_shipped_model_needs_no_file(cloudcompare, tmp_path, survey):
+    run = cloudcompare("-O", survey, "-S2B", "-SEGMENT", "-IFC", "shipped.ifc")
+    assert run.rc == 0
+    assert any(line.startswith("segmentation with the shipped model") for line in run.ours)
+    assert ifcopenshell.open(str(tmp_path / "shipped.ifc")).by_type("IfcWall")
+
+
 def test_the_same_bytes_for_every_number_of_threads(cloudcompare, tmp_path, survey):
     for name, threads in (("a", 1), ("b", 2)):
         assert cloudcompare("-O", survey, "-S2B", "-SEGMENT", model("plan"), "-IFC", name + ".ifc", "-THREADS", threads).rc == 0
@@ -60,7 +67,7 @@ def test_the_same_bytes_for_every_number_of_threads(cloudcompare, tmp_path, surv
 
 
 @pytest.mark.parametrize("name, says", [("text", "no ONNX model"), ("unknown_class", "nearest known one is wall"), ("newer_ir", "newer ONNX"),
-                                        ("no_metadata", "s2b.contract"), ("needs_colour", "needs colours")])
+                                        ("no_metadata", "s2b.contract"), ("needs_colour", "the model needs colours")])
 def test_a_wrong_model_is_told_in_one_sentence(cloudcompare, tmp_path, room, name, says):
     shutil.copy(model(name), tmp_path / "model.onnx")
     run = cloudcompare("-O", write_ply(tmp_path / "scan.ply", room[0]), "-S2B", "-SEGMENT", "model.onnx")
