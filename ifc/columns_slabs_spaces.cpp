@@ -100,7 +100,7 @@ void Model::addColumns()
         const std::string typeName = "Column " + sectionName(column.section);
         m_shapes.paint(representation.body.front(), Style::Column);
         const Instance instance = m_builder.add("IfcColumn", {{"GlobalId", guid(columnKey)},
-                                                              {"Name", "Column " + std::to_string(column.id.value)},
+                                                              {"Name", nameOf("Column", column.id)},
                                                               {"ObjectPlacement", placement},
                                                               {"Representation", m_shapes.shape(representation)},
                                                               {"Tag", std::to_string(column.id.value)},
@@ -138,7 +138,7 @@ void Model::addSlabs()
         const Instance instance = m_builder.add(
             "IfcSlab",
             {{"GlobalId", guid(slabKey)},
-             {"Name", "Slab " + std::to_string(slab.id.value)},
+             {"Name", nameOf("Slab", slab.id)},
              {"ObjectPlacement",
               storeyPlacement(slab.storey, {origin.x(), origin.y(), slab.top_m - thickness}, Eigen::Vector2d::UnitX())},
              {"Representation", m_shapes.shape(representation)},

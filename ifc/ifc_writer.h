@@ -3,7 +3,9 @@
 
 #include "core/model/building.h"
 
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +21,8 @@ struct WriteOptions
         "1970-01-01T00:00:00";  ///< of the file header; part of the bytes, so the caller's to choose
     std::optional<int> epsg;    ///< projected coordinate system of the world coordinates: gives IfcMapConversion
     std::vector<std::pair<std::string, std::string>> parameters;  ///< recorded with the project: name, value
+    std::map<ElementId, std::string> names;  ///< that people gave to elements; the others are named by class and id
+    std::set<ElementId> placedByHand;        ///< elements that people moved or added: their evidence says so
 };
 
 /// Writes the building as IFC (D3.6, 5; docs/ifc.md). Written beside `path` and renamed: never a partial file, and an

@@ -61,6 +61,8 @@ private:
 
     [[nodiscard]] std::string guid(std::string_view role) const;
     [[nodiscard]] static std::string key(const char* kind, ElementId id);
+    /// The name that a person gave, or "Wall 12".
+    [[nodiscard]] std::string nameOf(const char* kind, ElementId id) const;
     [[nodiscard]] Instance units();
     [[nodiscard]] Instance storeyPlacement(ElementId storey, const Eigen::Vector3d& buildingPoint,
                                            const Eigen::Vector2d& x);

@@ -109,7 +109,7 @@ Model::Placed Model::addVoid(const Opening& opening, const Wall& host)
     representation.body = {
         m_shapes.box({0.0, -margin, 0.0}, {width, thickness + 2.0 * margin, opening.height.value_m})};
     hole.instance = m_builder.add("IfcOpeningElement", {{"GlobalId", guid(openingKey + "/void")},
-                                                        {"Name", "Opening " + std::to_string(opening.id.value)},
+                                                        {"Name", nameOf("Opening", opening.id)},
                                                         {"ObjectPlacement", hole.placement},
                                                         {"Representation", m_shapes.shape(representation)},
                                                         {"Tag", std::to_string(opening.id.value)},
@@ -162,7 +162,7 @@ void Model::addDoor(const Opening& opening, const Wall& host, const Placed& hole
         swing.isTurned ? m_shapes.placement(hole.placement, {width, thickness, 0.0}, -Eigen::Vector2d::UnitX())
                        : m_shapes.placement(hole.placement, Eigen::Vector3d::Zero());
     const Instance door = m_builder.add("IfcDoor", {{"GlobalId", guid(openingKey)},
-                                                    {"Name", "Door " + std::to_string(opening.id.value)},
+                                                    {"Name", nameOf("Door", opening.id)},
                                                     {"ObjectPlacement", placement},
                                                     {"Representation", m_shapes.shape(representation)},
                                                     {"Tag", std::to_string(opening.id.value)},
@@ -206,7 +206,7 @@ void Model::addWindow(const Opening& opening, const Wall& host, const Placed& ho
         Style::Glass));
     const Instance window =
         m_builder.add("IfcWindow", {{"GlobalId", guid(openingKey)},
-                                    {"Name", "Window " + std::to_string(opening.id.value)},
+                                    {"Name", nameOf("Window", opening.id)},
                                     {"ObjectPlacement", m_shapes.placement(hole.placement, Eigen::Vector3d::Zero())},
                                     {"Representation", m_shapes.shape(representation)},
                                     {"Tag", std::to_string(opening.id.value)},

@@ -46,6 +46,12 @@ std::string Model::guid(std::string_view role) const
     return globalId(m_options.projectName, role);
 }
 
+std::string Model::nameOf(const char* kind, ElementId id) const
+{
+    const auto given = m_options.names.find(id);
+    return given == m_options.names.end() ? std::string(kind) + ' ' + std::to_string(id.value) : given->second;
+}
+
 std::string Model::key(const char* kind, ElementId id)
 {
     return std::string(kind) + '/' + std::to_string(id.value);
@@ -176,6 +182,8 @@ void Model::addEvidence(Instance object, const std::string& elementKey, ElementI
         if (dimension.provenance != Provenance::Assumed)
             properties.push_back({std::string(name) + "Rms", {"IfcLengthMeasure", dimension.rms_m}});
     }
+    if (m_options.placedByHand.contains(id))
+        properties.push_back({"PlacementProvenance", {"IfcLabel", std::string(provenanceName(Provenance::Corrected))}});
     if (const auto it = m_remarks.find(id); it != m_remarks.end())
         properties.push_back({"Remarks", {"IfcText", it->second}});
     properties.push_back({"SoftwareVersion", {"IfcLabel", std::string("Scan to BIM ") + S2B_VERSION}});

@@ -117,7 +117,7 @@ void Model::addWall(const Wall& wall)
         geometry.isArc() ? m_shapes.arc(geometry.at(0.0, 0.0), geometry.at(0.5 * length, 0.0), geometry.at(length, 0.0))
                          : m_shapes.line(geometry.at(0.0, 0.0), geometry.at(length, 0.0));
     const Instance instance = m_builder.add("IfcWall", {{"GlobalId", guid(wallKey)},
-                                                        {"Name", "Wall " + std::to_string(wall.id.value)},
+                                                        {"Name", nameOf("Wall", wall.id)},
                                                         {"ObjectPlacement", placement},
                                                         {"Representation", m_shapes.shape(representation)},
                                                         {"Tag", std::to_string(wall.id.value)},

@@ -2,10 +2,12 @@
 // The actions of the menu, as functions of the application.
 #pragma once
 
-#include "core/model/building.h"
+#include "core/corrections/model.h"
+#include "core/pipeline/pipeline.h"
 
 #include <QString>
 #include <ccHObject.h>
+#include <set>
 #include <vector>
 
 class ccMainAppInterface;
@@ -19,8 +21,8 @@ namespace s2b
 	//! The reconstructed model that the selection is (a part of), or null
 	ccHObject* modelOf(const ccHObject::Container& selection);
 
-	//! The model of a tree without what was deleted from it
-	/** \throws Error{BadFile} when the tree does not hold one **/
+	//! The model of a tree as people left it: see readModel()
+	/** \throws Error{BadFile} when the tree does not hold one, Error{BadParameter} for a motion that an element can't take **/
 	Building correctedModel(const ccHObject& tree);
 
 	//! Says something in the console, after "[S2B] "
@@ -35,6 +37,33 @@ namespace s2b
 	//! Asks for the model, labels the points in a worker thread and adds class and confidence to the clouds as scalar fields
 	/** Two or more clouds are taken together. Nothing else of them changes. Cancelling leaves nothing behind. **/
 	void segmentSelection(ccMainAppInterface& app);
+
+	//! What a stage runs on: clouds, a model (or a part of it), or both
+	struct StageSelection
+	{
+		std::vector<ccPointCloud*> clouds;
+		ccHObject*                 model = nullptr;
+		ElementId                  storey; //!< of the part that is selected; 0: all
+		bool                       isEmpty() const
+		{
+			return clouds.empty() && !model;
+		}
+	};
+	//! Empty when something else is selected too
+	StageSelection stageSelection(const ccHObject::Container& selection);
+
+	//! Runs single stages on the selection with the parameters of the last reconstruction, in a worker thread
+	/** What earlier stages and people's corrections left in the tree is used, and what they need and nobody made is made
+	    first. A storey, or a part of one, that is selected is the only one that is renewed.
+	    \param stages  those of the action
+	**/
+	void runStages(ccMainAppInterface& app, const std::set<Stage>& stages);
+
+	//! Adds a model of these clouds to the DB tree
+	void addModel(ccMainAppInterface& app, const Model& model, const std::vector<ccPointCloud*>& clouds);
+
+	//! Shows or hides what is behind the faces of the selected model
+	void toggleTranslucent(ccMainAppInterface& app);
 
 	//! Asks for a file and writes the selected model without the elements that were deleted from its tree
 	void exportSelection(ccMainAppInterface& app);

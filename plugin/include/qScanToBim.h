@@ -5,6 +5,7 @@
 #include <ccStdPluginInterface.h>
 
 class QAction;
+class S2BEditPanel;
 
 //! Plugins > Scan to BIM, and -S2B on the command line
 class qScanToBim : public QObject
@@ -28,4 +29,11 @@ class qScanToBim : public QObject
 	QAction* m_segment     = nullptr;
 	QAction* m_exportIfc   = nullptr;
 	QAction* m_validate    = nullptr;
+
+	//! Those of single stages, and of corrections
+	QList<QAction*> makeStageActions();
+	QList<QAction*> m_stages;
+	QAction*        m_edit        = nullptr;
+	QAction*        m_translucent = nullptr;
+	S2BEditPanel*   m_editPanel   = nullptr;
 };

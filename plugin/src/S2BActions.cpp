@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "S2BActions.h"
 
-#include "S2BBuildingText.h"
 #include "S2BEntities.h"
 #include "S2BInput.h"
+#include "S2BModel.h"
 #include "S2BReconstructDlg.h"
 #include "S2BRun.h"
 #include "S2BSummary.h"
@@ -16,10 +16,8 @@
 #include <QMainWindow>
 #include <QMessageBox>
 #include <QSettings>
-#include <algorithm>
 #include <ccMainAppInterface.h>
 #include <ccPointCloud.h>
-#include <set>
 
 namespace s2b
 {
@@ -42,53 +40,6 @@ namespace s2b
 				say(app, QString("... and %1 more").arg(building.diagnostics.size() - kMaxDiagnostics));
 		}
 
-		void addToTree(ccMainAppInterface& app, const Building& building, const ccPointCloud& cloud, ccHObject* display)
-		{
-			std::unique_ptr<ccHObject> tree = makeTree(building, cloud, cloud.getName() + " [BIM]");
-			if (display)
-				tree->setDisplay_recursive(display->getDisplay());
-			app.addToDB(tree.release(), false, true, false, true);
-		}
-
-		std::set<std::uint32_t> idsIn(const ccHObject& tree)
-		{
-			std::set<std::uint32_t> ids;
-			ccHObject::Container    all;
-			tree.filterChildren(all, true);
-			for (const ccHObject* entity : all)
-			{
-				if (entity->hasMetaData(kIdKey))
-					ids.insert(entity->getMetaData(kIdKey).toUInt());
-			}
-			return ids;
-		}
-
-		template <typename Element>
-		void keepOnly(std::vector<Element>& elements, const std::set<std::uint32_t>& ids)
-		{
-			std::erase_if(elements, [&](const Element& element)
-			              { return !ids.count(element.id.value); });
-		}
-
-		// Whatever the user deleted from the tree goes, and with a wall its openings.
-		void dropDeleted(Building& building, const ccHObject& tree)
-		{
-			const std::set<std::uint32_t> ids = idsIn(tree);
-			keepOnly(building.walls, ids);
-			keepOnly(building.openings, ids);
-			keepOnly(building.columns, ids);
-			keepOnly(building.slabs, ids);
-			keepOnly(building.spaces, ids);
-			std::erase_if(building.openings, [&](const Opening& opening)
-			              { return !building.wall(opening.host); });
-			std::erase_if(building.junctions, [&](const Junction& junction)
-			              { return !building.wall(junction.wallA) || !building.wall(junction.wallB); });
-			for (Space& space : building.spaces)
-			{
-				std::erase_if(space.boundedBy, [&](ElementId id)
-				              { return !building.wall(id); });
-			}
-		}
 	} // namespace
 
 	void say(ccMainAppInterface& app, const QString& text, bool isWarning)
@@ -106,9 +57,7 @@ namespace s2b
 
 	Building correctedModel(const ccHObject& tree)
 	{
-		Building building = parseBuilding(tree.getMetaData(kBuildingKey).toMap().value("text").toString());
-		dropDeleted(building, tree);
-		return building;
+		return readModel(tree).model.corrected;
 	}
 
 	std::vector<ccPointCloud*> cloudsOf(const ccHObject::Container& selection)
@@ -175,7 +124,7 @@ namespace s2b
 			printResult(app, *building);
 			if (!choice.ifcPath.isEmpty())
 				say(app, "wrote " + choice.ifcPath);
-			addToTree(app, *building, *clouds.front(), clouds.front());
+			addModel(app, Model{*building, *building, {}}, clouds);
 			app.redrawAll();
 		}
 		catch (const std::bad_alloc&)
@@ -195,7 +144,7 @@ namespace s2b
 			return;
 		try
 		{
-			const Building building = correctedModel(*model);
+			const Model corrected = readModel(*model).model;
 
 			QSettings settings;
 			settings.beginGroup("qScanToBim");
@@ -213,9 +162,11 @@ namespace s2b
 			settings.setValue("folder", QFileInfo(path).absolutePath());
 
 			ifc::WriteOptions options;
-			options.schema      = dialog.selectedNameFilter().section(' ', 0, 0).toStdString();
-			options.projectName = QFileInfo(path).completeBaseName().toStdString();
-			writeModel(building, path, options);
+			options.schema       = dialog.selectedNameFilter().section(' ', 0, 0).toStdString();
+			options.projectName  = QFileInfo(path).completeBaseName().toStdString();
+			options.names        = corrected.names;
+			options.placedByHand = placedByHand(corrected);
+			writeModel(corrected.corrected, path, options);
 			say(app, "wrote " + path);
 		}
 		catch (const std::exception& e)

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "S2BEntities.h"
 
-#include "S2BBuildingText.h"
+#include "S2BModel.h"
 #include "S2BSummary.h"
-#include "solids.h"
+#include "core/corrections/corrections.h"
+#include "core/corrections/elements.h"
 
+#include <QCryptographicHash>
 #include <algorithm>
 #include <array>
 #include <ccMesh.h>
@@ -28,18 +30,18 @@ namespace s2b
 			const char*  many;
 			ccColor::Rgb color;
 		};
-		// Calm, told apart by hue and lightness also by the colour blind.
+		// Light, because CloudCompare's lamp dims them; told apart by hue and lightness also by the colour blind.
 		const std::array<ClassStyle, 7> kStyles{{
-		    {ElementClass::Wall, "Wall", "Walls", ccColor::Rgb(232, 220, 200)},
-		    {ElementClass::Door, "Door", "Doors", ccColor::Rgb(196, 118, 60)},
-		    {ElementClass::Window, "Window", "Windows", ccColor::Rgb(110, 180, 220)},
-		    {ElementClass::Opening, "Opening", "Openings", ccColor::Rgb(150, 190, 130)},
-		    {ElementClass::Column, "Column", "Columns", ccColor::Rgb(190, 90, 90)},
-		    {ElementClass::Slab, "Slab", "Slabs", ccColor::Rgb(150, 155, 165)},
-		    {ElementClass::Space, "Space", "Spaces", ccColor::Rgb(170, 210, 190)},
+		    {ElementClass::Wall, "Wall", "Walls", ccColor::Rgb(255, 246, 228)},
+		    {ElementClass::Door, "Door", "Doors", ccColor::Rgb(226, 138, 66)},
+		    {ElementClass::Window, "Window", "Windows", ccColor::Rgb(120, 205, 255)},
+		    {ElementClass::Opening, "Opening", "Openings", ccColor::Rgb(150, 220, 120)},
+		    {ElementClass::Column, "Column", "Columns", ccColor::Rgb(228, 96, 96)},
+		    {ElementClass::Slab, "Slab", "Slabs", ccColor::Rgb(176, 186, 204)},
+		    {ElementClass::Space, "Space", "Spaces", ccColor::Rgb(176, 236, 204)},
 		}};
-		const ccColor::Rgb              kLevelColor(120, 160, 210);
-		const ccColor::Rgb              kAxisColor(200, 60, 60);
+		const ccColor::Rgb              kLevelColor(90, 170, 255);
+		const ccColor::Rgb              kAxisColor(235, 60, 60);
 
 		const ClassStyle& styleOf(ElementClass kind)
 		{
@@ -85,11 +87,6 @@ namespace s2b
 			                                                                                    : ElementClass::Opening;
 		}
 
-		QString nameOf(ElementClass kind, ElementId id)
-		{
-			return QString("%1 %2").arg(styleOf(kind).one).arg(id.value);
-		}
-
 		std::unique_ptr<ccPolyline> makePolyline(const Building& building, const ccShiftedObject& reference, const std::vector<Eigen::Vector3d>& points, bool isClosed, const ccColor::Rgb& color, const QString& name)
 		{
 			auto vertices = std::make_unique<ccPointCloud>("vertices");
@@ -131,11 +128,11 @@ namespace s2b
 			const Eigen::Vector2d        a  = pointOnAxis(host, opening.offset_m).position;
 			const Eigen::Vector2d        b  = pointOnAxis(host, opening.offset_m + opening.width.value_m).position;
 			std::vector<Eigen::Vector3d> points{{a.x(), a.y(), z0}, {b.x(), b.y(), z0}, {b.x(), b.y(), z1}, {a.x(), a.y(), z1}};
-			return makePolyline(building, reference, points, true, styleOf(ElementClass::Opening).color, nameOf(ElementClass::Opening, opening.id));
+			return makePolyline(building, reference, points, true, styleOf(ElementClass::Opening).color, QString::fromStdString(nameOf(building, opening.id)));
 		}
 
-		// A rectangle over all of the building's plan at the floor's height.
-		std::unique_ptr<ccHObject> makeLevelPlane(const Building& building, const ccShiftedObject& reference, const Storey& storey)
+		// How far level planes reach: over the walls and columns, or where there are none over the scan.
+		Eigen::AlignedBox2d planOf(const Building& building, const ccShiftedObject& reference)
 		{
 			Eigen::AlignedBox2d plan;
 			for (const Wall& wall : building.walls)
@@ -145,22 +142,52 @@ namespace s2b
 			}
 			for (const Column& column : building.columns)
 				plan.extend(column.center);
+			auto* scan = dynamic_cast<ccHObject*>(const_cast<ccShiftedObject*>(&reference));
+			if (plan.isEmpty() && scan && scan->getOwnBB().isValid())
+			{
+				const ccBBox box = scan->getOwnBB();
+				for (const auto& [x, y] : {std::pair(box.minCorner().x, box.minCorner().y), std::pair(box.maxCorner().x, box.maxCorner().y)})
+				{
+					const CCVector3d world = reference.toGlobal3d(CCVector3d(x, y, 0.0));
+					plan.extend(building.frame.toBuilding({world.x, world.y, 0.0}).head<2>().eval());
+				}
+			}
 			if (plan.isEmpty())
-				return {};
-			const Eigen::Vector2d edge(kPlaneEdge_m, kPlaneEdge_m);
-			const Eigen::Vector2d size   = plan.sizes() + 2.0 * edge;
-			const CCVector3       centre = toLocal(building, reference, {plan.center().x(), plan.center().y(), storey.elevation_m});
+				plan.extend(Eigen::Vector2d::Zero());
+			plan.min().array() -= kPlaneEdge_m;
+			plan.max().array() += kPlaneEdge_m;
+			return plan;
+		}
+
+		// A translucent rectangle at the floor's height, with its name beside it.
+		std::unique_ptr<ccHObject> makeLevelPlane(const Building& building, const ccShiftedObject& reference, const Storey& storey, const Eigen::AlignedBox2d& plan)
+		{
+			const Eigen::Vector2d size   = plan.sizes();
+			const CCVector3       centre = toLocal(building, reference, {plan.center().x(), plan.center().y(), storey.elevation_m - kPlaneDrop_m});
 			const auto            scale  = reference.getGlobalScale();
 			ccGLMatrix            pose;
 			pose.initFromParameters(static_cast<PointCoordinateType>(building.frame.yaw_rad), CCVector3(0, 0, 1), centre);
 			auto plane = std::make_unique<ccPlane>(static_cast<PointCoordinateType>(size.x() * scale), static_cast<PointCoordinateType>(size.y() * scale), &pose, QString("Floor level %1").arg(elevationText(building, storey)));
 			plane->setColor(kLevelColor);
 			plane->showColors(true);
+			plane->enableStippling(true);
+			plane->showNameIn3D(true);
 			plane->copyGlobalShiftAndScale(reference);
-			const bool hasSlab = std::any_of(building.slabs.begin(), building.slabs.end(), [&](const Slab& slab)
-			                                 { return slab.storey == storey.id; });
-			plane->setEnabled(!hasSlab); // both at the same height would flicker
+			plane->setMetaData(QString(kLevelKey), storey.id.value);
+			plane->setMetaData(QString(kShapeKey), QString("%1 %2 %3").arg(storey.elevation_m, 0, 'f', 6).arg(size.x()).arg(size.y()));
 			return plane;
+		}
+
+		// Tells whether an entity shows what is there now.
+		QString shapeOf(const Building& building, ElementId id, const std::vector<Eigen::Vector3d>& points)
+		{
+			QCryptographicHash hash(QCryptographicHash::Sha1);
+			for (const Eigen::Vector3d& p : points)
+				hash.addData(reinterpret_cast<const char*>(p.data()), 3 * sizeof(double));
+			const QVariantMap map = properties(building, id);
+			for (auto item = map.begin(); item != map.end(); ++item)
+				hash.addData((item.key() + item.value().toString()).toUtf8());
+			return hash.result().toHex();
 		}
 
 		ccHObject* classGroup(ccHObject& storey, ElementClass kind)
@@ -178,58 +205,86 @@ namespace s2b
 		}
 	} // namespace
 
+	std::optional<Solid> elementSolid(const Building& building, ElementId id)
+	{
+		if (const Wall* wall = building.wall(id))
+			return wallSolid(building, *wall);
+		if (const Opening* opening = findElement(building.openings, id))
+		{
+			const Wall* host = building.wall(opening->host);
+			return host && opening->kind != OpeningKind::Plain ? std::optional(fillingSolid(*host, *opening)) : std::nullopt;
+		}
+		if (const Column* column = findElement(building.columns, id))
+			return columnSolid(*column);
+		if (const Slab* slab = findElement(building.slabs, id))
+			return prism(slab->outline, slab->top_m - slab->thickness.value_m, slab->top_m);
+		if (const Space* space = findElement(building.spaces, id))
+			return prism(space->outline, space->floor_m, space->floor_m + kSpaceLift_m);
+		return std::nullopt;
+	}
+
 	std::vector<NamedMesh> makeMeshes(const Building& building, const ccShiftedObject& reference)
 	{
 		std::vector<NamedMesh> meshes;
-		const auto             add = [&](ElementClass kind, ElementId id, ElementId storey, const QString& name, const Solid& solid)
+		const auto             add = [&](ElementClass kind, ElementId id, ElementId storey)
 		{
-			auto mesh = makeMesh(building, reference, solid, styleOf(kind).color);
+			const std::optional<Solid> solid = elementSolid(building, id);
+			auto                       mesh  = solid ? makeMesh(building, reference, *solid, styleOf(kind).color) : nullptr;
 			if (!mesh)
 				return;
+			const QString name = QString::fromStdString(nameOf(building, id));
 			mesh->setName(name);
 			mesh->setMetaData(properties(building, id));
+			mesh->setMetaData(QString(kShapeKey), shapeOf(building, id, solid->vertices));
 			meshes.push_back({id, storey, kind, name, std::move(mesh)});
 		};
 		for (const Wall& wall : building.walls)
-			add(ElementClass::Wall, wall.id, wall.storey, nameOf(ElementClass::Wall, wall.id), wallSolid(building, wall));
+			add(ElementClass::Wall, wall.id, wall.storey);
 		for (const Opening& opening : building.openings)
 		{
 			if (const Wall* host = building.wall(opening.host))
-				add(classOf(opening.kind), opening.id, host->storey, nameOf(classOf(opening.kind), opening.id), fillingSolid(*host, opening));
+				add(classOf(opening.kind), opening.id, host->storey);
 		}
 		for (const Column& column : building.columns)
-			add(ElementClass::Column, column.id, column.storey, nameOf(ElementClass::Column, column.id), columnSolid(column));
+			add(ElementClass::Column, column.id, column.storey);
 		for (const Slab& slab : building.slabs)
-			add(ElementClass::Slab, slab.id, slab.storey, QString(slab.kind == SlabKind::Roof ? "Roof %1" : "Slab %1").arg(slab.id.value), prism(slab.outline, slab.top_m - slab.thickness.value_m, slab.top_m));
+			add(ElementClass::Slab, slab.id, slab.storey);
 		for (const Space& space : building.spaces)
-		{
-			const QString name = space.name.empty() ? nameOf(ElementClass::Space, space.id) : QString::fromStdString(space.name);
-			add(ElementClass::Space, space.id, space.storey, name, prism(space.outline, space.floor_m, space.floor_m + kSpaceLift_m));
-		}
+			add(ElementClass::Space, space.id, space.storey);
 		return meshes;
 	}
 
 	std::unique_ptr<ccHObject> makeTree(const Building& building, const ccShiftedObject& reference, const QString& name)
 	{
-		auto root = std::make_unique<ccHObject>(name);
-		root->setMetaData(QString(kBuildingKey), QVariantMap{{"text", buildingText(building)}});
+		return makeTree(Model{building, building, {}}, reference, name);
+	}
+
+	std::unique_ptr<ccHObject> makeTree(const Model& model, const ccShiftedObject& reference, const QString& name, const Eigen::AlignedBox2d& known)
+	{
+		const Building&           building = model.corrected;
+		const Eigen::AlignedBox2d plan     = known.isEmpty() ? planOf(building, reference) : known;
+		const CCVector3d          shift    = reference.getGlobalShift();
+		auto                      root     = std::make_unique<ccHObject>(name);
+		storeModel(*root, model);
+		root->setMetaData(QString(kShiftKey), QVariantList{shift.x, shift.y, shift.z, reference.getGlobalScale()});
+		root->setMetaData(QString(kPlanKey), QVariantList{plan.min().x(), plan.min().y(), plan.max().x(), plan.max().y()});
 
 		std::vector<NamedMesh> meshes = makeMeshes(building, reference);
 		for (const Storey& storey : building.storeys)
 		{
 			auto* group = new ccHObject(QString::fromStdString(storey.name));
 			root->addChild(group);
+			group->setMetaData(QString(kIdKey), storey.id.value);
 			group->setMetaData("Elevation", elevationText(building, storey));
 			group->setMetaData("Height", QString("%1 m").arg(storey.height.value_m, 0, 'f', 3));
-			if (auto plane = makeLevelPlane(building, reference, storey))
-				group->addChild(plane.release());
+			group->addChild(makeLevelPlane(building, reference, storey, plan).release());
 			for (NamedMesh& element : meshes)
 			{
 				if (element.storey != storey.id)
 					continue;
-				// A ceiling would hide everything below it.
-				if (element.name.startsWith("Roof"))
-					element.mesh->setEnabled(false);
+				const Slab* slab = findElement(building.slabs, element.id);
+				if (slab && slab->kind == SlabKind::Roof)
+					element.mesh->setEnabled(false); // it would hide everything below it
 				classGroup(*group, element.kind)->addChild(element.mesh.release());
 			}
 			for (const Opening& opening : building.openings)
@@ -239,17 +294,35 @@ namespace s2b
 					continue;
 				auto line = makeVoid(building, reference, *host, opening);
 				line->setMetaData(properties(building, opening.id));
+				line->setMetaData(QString(kShapeKey), shapeOf(building, opening.id, {{opening.offset_m, host->base_m, 0}, {host->start.x(), host->start.y(), 0}, {host->end.x(), host->end.y(), 0}}));
 				classGroup(*group, ElementClass::Opening)->addChild(line.release());
 			}
 			auto* axes = new ccHObject("Wall axes");
 			axes->setEnabled(false);
 			for (const Wall& wall : building.walls)
 			{
-				if (wall.storey == storey.id)
-					axes->addChild(makeAxis(building, reference, wall).release());
+				if (wall.storey != storey.id)
+					continue;
+				auto axis = makeAxis(building, reference, wall);
+				axis->setMetaData(QString(kAxisKey), wall.id.value);
+				axis->setMetaData(QString(kShapeKey), shapeOf(building, wall.id, {{wall.start.x(), wall.start.y(), wall.base_m}, {wall.end.x(), wall.end.y(), wall.bulge}}));
+				axes->addChild(axis.release());
 			}
 			group->addChild(axes);
 		}
+		QVariantList bodiless;
+		const auto   entities = elementEntities(*root);
+		forEachClass(building, [&](const auto& elements)
+		             {
+			             for (const auto& e : elements)
+			             {
+				             const auto entity = entities.find(e.id);
+				             if (entity == entities.end())
+					             bodiless << e.id.value;
+				             else
+					             entity->second->setName(QString::fromStdString(nameOf(model, e.id)));
+			             } });
+		root->setMetaData(QString(kBodilessKey), bodiless);
 		return root;
 	}
 } // namespace s2b

@@ -3,8 +3,12 @@
 
 #include "S2BActions.h"
 #include "S2BCommand.h"
+#include "S2BEditPanel.h"
+#include "S2BTreeUpdate.h"
 
 #include <QAction>
+#include <QMainWindow>
+#include <ccMainAppInterface.h>
 
 qScanToBim::qScanToBim(QObject* parent)
     : QObject(parent)
@@ -44,7 +48,61 @@ QList<QAction*> qScanToBim::getActions()
 		connect(m_validate, &QAction::triggered, this, [this]
 		        { s2b::validateSelection(*m_app); });
 	}
-	return {m_reconstruct, m_segment, m_exportIfc, m_validate};
+	if (m_stages.isEmpty())
+		m_stages = makeStageActions();
+	return QList<QAction*>{m_reconstruct, m_segment} + m_stages + QList<QAction*>{m_edit, m_translucent, m_exportIfc, m_validate};
+}
+
+QList<QAction*> qScanToBim::makeStageActions()
+{
+	using s2b::Stage;
+	const auto make = [this](const char* name, const char* icon, const QString& text, const QString& toolTip)
+	{
+		auto* action = new QAction(QIcon(QString(":/CC/plugin/qScanToBim/images/%1.png").arg(icon)), text, this);
+		action->setObjectName(name);
+		action->setToolTip(toolTip);
+		action->setEnabled(false);
+		return action;
+	};
+	const struct
+	{
+		const char*     name;
+		const char*     icon;
+		QString         text;
+		QString         toolTip;
+		std::set<Stage> stages;
+	} kinds[] = {
+	    {"S2B.Levels", "levels", tr("Levels"), tr("Find the levels alone; corrected ones stay"), {Stage::Levels}},
+	    {"S2B.Walls", "walls", tr("Walls"), tr("Find the walls on the levels that are there, of a selected storey only its own; corrected ones stay"), {Stage::Walls}},
+	    {"S2B.Doors", "doors", tr("Doors"), tr("Find doors, windows and openings in the walls that are there; corrected ones stay"), {Stage::Doors, Stage::Windows, Stage::Openings}},
+	    {"S2B.Columns", "columns", tr("Columns"), tr("Find the columns between the walls that are there; corrected ones stay"), {Stage::Columns}},
+	    {"S2B.Rooms", "rooms", tr("Rooms"), tr("Find slabs and spaces between the walls that are there; corrected ones stay"), {Stage::Slabs, Stage::Spaces}},
+	};
+	QList<QAction*> actions;
+	for (const auto& kind : kinds)
+	{
+		actions << make(kind.name, kind.icon, kind.text, kind.toolTip);
+		connect(actions.back(), &QAction::triggered, this, [this, stages = kind.stages]
+		        { s2b::runStages(*m_app, stages); });
+	}
+	m_edit = make("S2B.Edit", "edit", tr("Edit element"), tr("Correct dimensions and classes, merge, split and add walls, reset an element"));
+	m_edit->setEnabled(true);
+	m_edit->setCheckable(true);
+	connect(m_edit, &QAction::toggled, this, [this](bool isOn)
+	        {
+		        if (!m_editPanel && isOn)
+		        {
+			        m_editPanel = new S2BEditPanel(*m_app);
+			        m_app->getMainWindow()->addDockWidget(Qt::RightDockWidgetArea, m_editPanel);
+			        connect(m_editPanel, &QDockWidget::visibilityChanged, m_edit, &QAction::setChecked);
+		        }
+		        if (m_editPanel)
+			        m_editPanel->setVisible(isOn); });
+	m_translucent = make("S2B.Translucent", "translucent", tr("Translucent"), tr("Look through the faces of the selected model"));
+	m_translucent->setCheckable(true);
+	connect(m_translucent, &QAction::triggered, this, [this]
+	        { s2b::toggleTranslucent(*m_app); });
+	return actions;
 }
 
 void qScanToBim::onNewSelection(const ccHObject::Container& selectedEntities)
@@ -53,6 +111,16 @@ void qScanToBim::onNewSelection(const ccHObject::Container& selectedEntities)
 		m_reconstruct->setEnabled(!s2b::cloudsOf(selectedEntities).empty());
 	if (m_segment)
 		m_segment->setEnabled(!s2b::cloudsOf(selectedEntities).empty());
+	for (QAction* action : m_stages)
+		action->setEnabled(!s2b::stageSelection(selectedEntities).isEmpty());
+	if (m_translucent)
+	{
+		const ccHObject* model = s2b::modelOf(selectedEntities);
+		m_translucent->setEnabled(model != nullptr);
+		m_translucent->setChecked(model && s2b::isTranslucent(*model));
+	}
+	if (m_editPanel)
+		m_editPanel->setSelection(selectedEntities);
 	if (m_exportIfc)
 		m_exportIfc->setEnabled(s2b::modelOf(selectedEntities) != nullptr);
 	if (m_validate)

@@ -7,6 +7,8 @@ import subprocess
 import sys
 
 import ifcopenshell
+import ifcopenshell.util.element
+import ifcopenshell.util.placement
 import numpy as np
 import pytest
 
@@ -95,3 +97,64 @@ def test_validate_shows_verdicts_and_deviations(window, to_bin, survey, tmp_path
     assert report["classes"]["wall"]["at50"]["f1"] >= 0.9
     assert report["files"]["result"]["name"].endswith(".ifc")
     assert "/" not in report["files"]["truth"]["name"]
+
+
+def number(said, key):
+    return int(said.split(key + " ")[-1].split()[0])
+
+
+def walls_of(path):
+    """The walls of a file by their ids: name, start and end of the axis in the plan, thickness."""
+    model = ifcopenshell.open(str(path))
+    walls = {}
+    for wall in model.by_type("IfcWall"):
+        placement = ifcopenshell.util.placement.get_local_placement(wall.ObjectPlacement)
+        axis = next(r for r in wall.Representation.Representations if r.RepresentationIdentifier == "Axis").Items[0]
+        ends = [placement @ [*point[:2], 0, 1] for point in (axis.Points[0].Coordinates, axis.Points[-1].Coordinates)]
+        quantities = ifcopenshell.util.element.get_psets(wall)["Qto_WallBaseQuantities"]
+        walls[int(wall.Tag)] = (wall.Name, ends[0][:2], ends[1][:2], quantities["Width"])
+    return walls
+
+
+def valid(path):
+    return subprocess.run([sys.executable, "-m", "ifcopenshell.validate", "--rules", str(path)], capture_output=True).returncode == 0
+
+
+def test_single_stages_use_what_is_there(window, to_bin, survey, output):
+    said = window("stages", to_bin(survey))
+    model = ifcopenshell.open(str(output / "stages.ifc"))
+    assert len(model.by_type("IfcWall")) == number(said, "walls")
+    assert len(model.by_type("IfcDoor")) == number(said, "doors")
+    assert model.by_type("IfcBuildingStorey")[0].Elevation == pytest.approx(0.1, abs=0.02)
+    assert model.by_type("IfcColumn") and model.by_type("IfcSlab") and valid(output / "stages.ifc")
+
+
+def test_corrections_are_exported_saved_and_reopened(window, to_bin, survey, output):
+    said = window("edit", to_bin(survey))
+    inner, added = number(said, "moved"), number(said, "added")
+    before, moved, edited = (walls_of(output / (name + ".ifc")) for name in ("unmoved", "moved", "edited"))
+
+    # CloudCompare's move is the wall's; those that meet it still do.
+    for end in (1, 2):
+        assert np.linalg.norm(moved[inner][end] - before[inner][end]) == pytest.approx(0.3, abs=0.002)
+    joints = [len(ifcopenshell.open(str(output / name)).by_type("IfcRelConnectsPathElements")) for name in ("unmoved.ifc", "moved.ifc")]
+    assert joints[0] == joints[1] > 0
+    placed = ifcopenshell.util.element.get_psets(next(w for w in ifcopenshell.open(str(output / "moved.ifc")).by_type("IfcWall") if w.Tag == str(inner)))
+    assert placed["S2B_Evidence"]["PlacementProvenance"] == "Corrected"
+
+    assert set(edited) == set(before) | {added}
+    assert edited[inner][0] == "Partition"
+    assert edited[added][3] == pytest.approx(0.12, abs=0.002)
+    tags = {e.Tag for e in ifcopenshell.open(str(output / "edited.ifc")).by_type("IfcWindow")}
+    assert str(number(said, "deleted")) not in tags and tags
+    assert valid(output / "edited.ifc")
+
+    # All of it survives a file, and goes on from there.
+    window("edited", output / "edited.bin")
+    assert (output / "reopened.ifc").read_text().split("DATA;")[1].count("\n") == (output / "edited.ifc").read_text().split("DATA;")[1].count("\n")
+    reopened, back = walls_of(output / "reopened.ifc"), walls_of(output / "moved_back.ifc")
+    for wall, values in edited.items():
+        assert reopened[wall][0] == values[0]
+        assert np.allclose(reopened[wall][1], values[1], atol=1e-6) and np.allclose(reopened[wall][2], values[2], atol=1e-6)
+    assert np.allclose(back[inner][1], before[inner][1], atol=0.002)
+    assert set(back) == set(edited)

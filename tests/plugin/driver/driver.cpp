@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "driver.h"
 
+#include <QPlainTextEdit>
 #include <QScreen>
 #include <QTreeView>
 
 #include <map>
+
+#include <ccPickingHub.h>
 
 namespace
 {
@@ -93,8 +96,13 @@ ccPointCloud* Driver::cloud()
 
 ccHObject* Driver::model()
 {
-    const auto walls = named<ccMesh>("Wall ");
-    return walls.empty() ? nullptr : walls.front()->getParent()->getParent()->getParent();
+    ccHObject* newest = nullptr;
+    for (ccHObject* entity : named(QString()))
+    {
+        if (entity->hasMetaData("S2B.Building") && (!newest || entity->getUniqueID() > newest->getUniqueID()))
+            newest = entity;
+    }
+    return newest;
 }
 
 std::size_t Driver::entityCount()
@@ -145,7 +153,7 @@ void Driver::whenShown(const QString& name, const std::function<void(QWidget*)>&
                        [=, this]
                        {
                            QWidget* widget = QApplication::activeModalWidget();
-                           if (widget && widget->objectName() == name)
+                           if (widget && (widget->objectName() == name || widget->inherits(qPrintable(name))))
                                inside(widget);
                            else if (tries > 0)
                                whenShown(name, inside, tries - 1);
@@ -169,4 +177,49 @@ void Driver::reconstructQuietly()
                   press(dialog, QDialogButtonBox::Ok);
               });
     action("S2B.Reconstruct")->trigger();
+}
+
+bool Driver::exportModel(const QString& file)
+{
+    QFile::remove(output(file));
+    select(model());
+    whenShown("S2BExportDialog",
+              [this, file](QWidget* dialog)
+              {
+                  auto* files = static_cast<QFileDialog*>(dialog);
+                  files->findChild<QLineEdit*>("fileNameEdit")->setText(output(file));
+                  QMetaObject::invokeMethod(files, "accept", Qt::QueuedConnection);
+              });
+    action("S2B.ExportIfc")->trigger();
+    QTest::qWait(200);
+    return QFile::exists(output(file));
+}
+
+void Driver::expectMessage(QString& said)
+{
+    whenShown("S2BMessage",
+              [&said](QWidget* box)
+              {
+                  said = static_cast<QMessageBox*>(box)->text();
+                  QTest::mouseClick(static_cast<QMessageBox*>(box)->button(QMessageBox::Ok), Qt::LeftButton);
+              });
+}
+
+void Driver::applyTransformation(ccHObject* entity, const ccGLMatrix& matrix)
+{
+    select(entity);
+    whenShown("ccApplyTransformationDlg",
+              [this, matrix](QWidget* dialog)
+              {
+                  dialog->findChild<QPlainTextEdit*>("matrixTextEdit")->setPlainText(matrix.toString(12));
+                  press(dialog, QDialogButtonBox::Ok);
+              });
+    m_app.getMainWindow()->findChild<QAction*>("actionApplyTransformation")->trigger();
+    QTest::qWait(100);
+}
+
+void Driver::pick(ccHObject* entity, const CCVector3& point)
+{
+    m_app.pickingHub()->processPickedItem(entity, 0, 0, 0, point, {});
+    QTest::qWait(100);
 }

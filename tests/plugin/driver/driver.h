@@ -33,6 +33,7 @@
 #include <vector>
 
 #include <ccColorScale.h>
+#include <ccGLMatrix.h>
 #include <ccMainAppInterface.h>
 #include <ccMesh.h>
 #include <ccPointCloud.h>
@@ -62,7 +63,7 @@ public:
 
     /// The first cloud that is a scan; null while there is none.
     [[nodiscard]] ccPointCloud* cloud();
-    /// The model group of the first wall; null while there is none.
+    /// The newest model group; null while there is none.
     [[nodiscard]] ccHObject* model();
     [[nodiscard]] std::size_t entityCount();
 
@@ -87,12 +88,21 @@ public:
     /// The model and the cloud.
     void selectBoth();
 
-    /// Runs `inside` as soon as a modal widget with that name is there, as a user would.
+    /// Runs `inside` as soon as a modal widget with that name, or of that class, is there, as a user would.
     void whenShown(const QString& name, const std::function<void(QWidget*)>& inside, int tries = 100);
     void press(QWidget* dialog, QDialogButtonBox::StandardButton button);
 
     /// With the dialog's defaults and without a file.
     void reconstructQuietly();
+    /// Selects the model and exports it; false when no file was written.
+    bool exportModel(const QString& file);
+    /// Closes the message that is to come and gives what it said, once it did.
+    void expectMessage(QString& said);
+
+    /// The tool Edit > Apply transformation of CloudCompare itself, on one entity.
+    void applyTransformation(ccHObject* entity, const ccGLMatrix& matrix);
+    /// Picks a point as a click in the 3D view would.
+    void pick(ccHObject* entity, const CCVector3& point);
 
 private:
     ccMainAppInterface& m_app;
