@@ -153,8 +153,13 @@ namespace s2b
 					now.erase(key);
 				}
 			}
-			for (const auto& [key, entity] : wanted)
+			ccHObject::Container ordered; // as a new tree would show them
+			fresh.filterChildren(ordered, true);
+			for (ccHObject* entity : ordered)
 			{
+				const QString key = keyOf(*entity);
+				if (key.isEmpty())
+					continue;
 				const auto known = now.find(key);
 				const bool isUp  = known != now.end() && !anew.count(ownId(*entity)) && known->second->getMetaData(kShapeKey) == entity->getMetaData(kShapeKey);
 				if (isUp)
