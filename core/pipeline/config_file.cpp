@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/pipeline/parameter_text.h"
 #include "core/pipeline/parameters.h"
+#include "core/pipeline/presets.h"
 
 #include <toml++/toml.hpp>
 
@@ -180,6 +181,7 @@ std::string parameterDocumentation()
         text << "| " << info.name << " | " << valueText(info, info.value(defaults)) << unitText(info) << " | "
              << rangeText(info) << " | " << help << " | " << info.source << " |\n";
     }
+    text << presetDocumentation();
     return text.str();
 }
 

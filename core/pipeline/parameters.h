@@ -76,7 +76,7 @@ void loadConfig(Parameters& parameters, const std::string& path);
 /// The TOML text that loadConfig reads back to the same parameters, with unit, range and help as comments.
 [[nodiscard]] std::string configText(const Parameters& parameters);
 
-/// The table as the Markdown of docs/parameters.md.
+/// The table, and that of the presets, as the Markdown of docs/parameters.md.
 [[nodiscard]] std::string parameterDocumentation();
 
 }  // namespace s2b

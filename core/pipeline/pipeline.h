@@ -8,6 +8,7 @@
 
 #include <set>
 #include <string_view>
+#include <vector>
 
 namespace s2b
 {
@@ -30,11 +31,20 @@ enum class Stage
 [[nodiscard]] std::set<Stage> parseStages(std::string_view list);
 [[nodiscard]] std::set<Stage> allStages();
 
+/// One storey's heights, world z.
+struct StoreyHeights
+{
+    double floor_m = 0.0;
+    double ceiling_m = 0.0;
+    bool ceilingSeen = true;  ///< false: sloped or not scanned, ceiling_m is only how far the storey reaches
+};
+
 struct PipelineOptions
 {
     Parameters parameters;
     std::set<Stage> stages = allStages();
-    bool geometryOnly = false;  ///< ignore the labels
+    bool geometryOnly = false;          ///< ignore the labels
+    std::vector<StoreyHeights> levels;  ///< given by a person, ascending; empty: they are found
 };
 
 /// Reconstructs a building from a cloud (D3.6, 3; docs/method.md): the one place that knows the order of the stages.

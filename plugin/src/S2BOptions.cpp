@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
+#include "core/pipeline/presets.h"
 #include "core/validation/validation_parameters.h"
 
 #include <QDir>
@@ -17,6 +18,12 @@ namespace s2b
 	namespace
 	{
 		constexpr unsigned kMaxThreads = 1024;
+
+		// "-THREADS", but not "-2.9:0.0"
+		bool isKeyword(const QString& argument)
+		{
+			return argument.startsWith('-') && !(argument.size() > 1 && (argument[1].isDigit() || argument[1] == '.'));
+		}
 
 		[[noreturn]] void fail(const QString& sentence, ErrorCode code = ErrorCode::BadParameter)
 		{
@@ -86,6 +93,24 @@ namespace s2b
 				options.pipeline.stages = parseStages(list.toStdString());
 		}
 
+		std::vector<StoreyHeights> levelHeights(const QString& list)
+		{
+			std::vector<StoreyHeights> levels;
+			for (const QString& level : list.split(','))
+			{
+				const QStringList heights   = level.split(':');
+				bool              isFloor   = false;
+				bool              isCeiling = false;
+				StoreyHeights     storey;
+				storey.floor_m   = heights.value(0).toDouble(&isFloor);
+				storey.ceiling_m = heights.value(1).toDouble(&isCeiling);
+				if (heights.size() != 2 || !isFloor || !isCeiling || storey.ceiling_m <= storey.floor_m || (!levels.empty() && storey.floor_m < levels.back().ceiling_m))
+					fail(QString("-LEVELS '%1' is no list of storeys: give floor:ceiling in metres from the lowest up, for example 0.00:2.60,2.90:5.50").arg(list));
+				levels.push_back(storey);
+			}
+			return levels;
+		}
+
 		QStringList storeyNames(const QString& list)
 		{
 			QStringList names;
@@ -125,7 +150,11 @@ namespace s2b
 		     { o.stationFile = readablePath("STATIONS", v); }},
 		    {"STAGES", "LIST", false, "levels,walls,doors,windows,openings,columns,slabs,spaces (default: all), or none: the file of -IFC is read and compared", [](CommandOptions& o, const QString& v)
 		     { setStages(o, v); }},
-		    {"CONFIG", "FILE", false, "parameters from a TOML file", [](CommandOptions& o, const QString& v)
+		    {"PRESET", "LIST", false, "parameters for a kind of building (residential, office, hall) or survey (mobile-mapping), or one of each: office,mobile-mapping", [](CommandOptions& o, const QString& v)
+		     { applyPresets(o.pipeline.parameters, v.toStdString()); }},
+		    {"LEVELS", "LIST", false, "the storeys' floors and ceilings in world heights, from the lowest up: 0.00:2.60,2.90:5.50 (default: found in the cloud)", [](CommandOptions& o, const QString& v)
+		     { o.pipeline.levels = levelHeights(v); }},
+		    {"CONFIG", "FILE", false, "parameters from a TOML file, after those of -PRESET", [](CommandOptions& o, const QString& v)
 		     { loadConfig(o.pipeline.parameters, localPath(v)); }},
 		    {"SET", "name=value", true, "one parameter, after those of -CONFIG", [](CommandOptions& o, const QString& v)
 		     { setAny(o, v); }},
@@ -179,7 +208,7 @@ namespace s2b
 				value = arguments.takeFirst();
 			else if (*row->value && !isOptional)
 			{
-				if (arguments.isEmpty() || arguments.front().startsWith('-'))
+				if (arguments.isEmpty() || isKeyword(arguments.front()))
 					fail(QString("-%1 needs a value: -%1 %2").arg(row->name, row->value));
 				value = arguments.takeFirst();
 			}

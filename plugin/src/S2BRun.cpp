@@ -3,6 +3,7 @@
 
 #include <QDateTime>
 #include <QFile>
+#include <QStringList>
 
 namespace s2b
 {
@@ -25,6 +26,13 @@ namespace s2b
 			options.parameters.emplace_back(info.name, QString::number(info.value(run.parameters), 'g', 12).toStdString());
 		options.parameters.emplace_back("seed", std::to_string(seed));
 		options.parameters.emplace_back("geometryOnly", run.geometryOnly ? "1" : "0");
+		if (!run.levels.empty())
+		{
+			QStringList levels;
+			for (const StoreyHeights& level : run.levels)
+				levels << QString("%1:%2").arg(level.floor_m, 0, 'f', 3).arg(level.ceiling_m, 0, 'f', 3);
+			options.parameters.emplace_back("levels", levels.join(',').toStdString());
+		}
 		return options;
 	}
 

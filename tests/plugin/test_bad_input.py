@@ -88,6 +88,19 @@ def test_unknown_parameter_in_a_file(cloudcompare, tmp_path, good):
     assert_refused(cloudcompare("-O", good, "-S2B", "-CONFIG", "parameters.toml"), tmp_path, "parameters.toml", "walls.maximumThick")
 
 
+def test_unknown_preset(cloudcompare, tmp_path, good):
+    assert_refused(cloudcompare("-O", good, "-S2B", "-PRESET", "castle"), tmp_path, "castle", "residential", "mobile-mapping")
+
+
+def test_two_presets_of_one_kind(cloudcompare, tmp_path, good):
+    assert_refused(cloudcompare("-O", good, "-S2B", "-PRESET", "office,hall"), tmp_path, "same kind")
+
+
+@pytest.mark.parametrize("levels", ["2.6", "2.6:0", "3:5.6,0:2.6", "0:high", "0:2.6,"])
+def test_levels_that_are_none(cloudcompare, tmp_path, good, levels):
+    assert_refused(cloudcompare("-O", good, "-S2B", "-LEVELS", levels), tmp_path, "-LEVELS", "floor:ceiling")
+
+
 def test_unknown_option_is_found_before_anything_runs(cloudcompare, tmp_path, good):
     run = cloudcompare("-O", good, "-S2B", "-THREADZ", "2")
     assert_refused(run, tmp_path, "-THREADZ", "-THREADS")

@@ -126,6 +126,27 @@ def test_parameters_are_recorded_and_set_wins_over_config(cloudcompare, tmp_path
     assert "0.17" not in text.split("'walls.defaultThickness'")[1][:80]
 
 
+def test_a_preset_comes_before_config_and_set(cloudcompare, tmp_path, room):
+    points, codes = room
+    write_ply(tmp_path / "scan.ply", points, Classification=codes)
+    (tmp_path / "p.toml").write_text("[walls]\ndefaultExternalThickness = 0.41\n")
+    assert cloudcompare("-O", "scan.ply", "-S2B", "-CONFIG", "p.toml", "-PRESET", "office,mobile-mapping").rc == 0
+    model = ifcopenshell.open(str(tmp_path / "scan.ifc"))
+    values = {p.Name: str(p.NominalValue.wrappedValue) for p in model.by_type("IfcPropertySingleValue") if p.NominalValue}
+    assert values["walls.defaultThickness"] == "0.125" and values["walls.planeDistance"] == "0.04"
+    assert values["walls.defaultExternalThickness"] == "0.41"
+
+
+def test_levels_can_be_given(cloudcompare, tmp_path, room):
+    points, codes = room
+    write_ply(tmp_path / "scan.ply", points - [0, 0, 3.0], Classification=codes)  # a basement
+    run = cloudcompare("-O", "scan.ply", "-S2B", "-LEVELS", "-2.95:-0.45")
+    assert run.rc == 0
+    assert len(ifcopenshell.open(str(tmp_path / "scan.ifc")).by_type("IfcBuildingStorey")) == 1
+    assert any("Level 0 at -2.950 m, 2.50 m high" in line for line in run.ours)
+    assert_valid(tmp_path / "scan.ifc")
+
+
 def test_stages_limit_what_is_made(cloudcompare, tmp_path, survey):
     assert cloudcompare("-O", survey, "-S2B", "-STAGES", "walls", "-IFC", "walls.ifc").rc == 0
     model = ifcopenshell.open(str(tmp_path / "walls.ifc"))
