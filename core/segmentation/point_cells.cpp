@@ -2,6 +2,7 @@
 #include "core/segmentation/point_cells.h"
 
 #include "core/base/parallel.h"
+#include "core/base/random.h"
 #include "core/cloud/blocks.h"
 
 #include <bit>
@@ -68,10 +69,12 @@ private:
     }
     [[nodiscard]] std::size_t hashOf(const Key& key) const
     {
-        const auto part = [](int v) { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(v)); };
-        // Neighbours along x stay neighbours in memory.
-        return (part(key.x()) + (part(key.y()) * 0x9e3779b97f4a7c15u ^ part(key.z()) * 0xc2b2ae3d27d4eb4fu) / 65536) &
-               m_mask;
+        // Eight neighbours along x stay neighbours in memory; these groups are spread evenly, or runs would grow
+        // together.
+        const std::uint64_t group =
+            randomBits(static_cast<std::uint32_t>(key.x() >> 3), static_cast<std::uint32_t>(key.y()),
+                       static_cast<std::uint32_t>(key.z()));
+        return (group << 3 | static_cast<std::uint64_t>(key.x() & 7)) & m_mask;
     }
     [[nodiscard]] std::uint32_t at(const Key& key) const
     {
