@@ -2,6 +2,7 @@
 // From CloudCompare's clouds to what the reconstruction reads.
 #pragma once
 
+#include "core/base/context.h"
 #include "core/cloud/point_cloud.h"
 #include "core/labels/label.h"
 
@@ -52,7 +53,8 @@ namespace s2b
 	/** \param stationFile what -STATIONS names; empty: the sensors below the clouds count
 	    \throws Error{EmptyCloud} without a point, Error{BadCoordinates} for coordinates whose float spacing is too
 	    coarse (beyond 100 km of the local origin: 8 mm), Error{BadLabels} for a field that is not there, that holds no
-	    whole numbers, or codes that the map does not know; Error{BadFile} for the stations' file.
+	    whole numbers, or codes that the map does not know; Error{BadFile} for the stations' file; Cancelled (asked every
+	    2^20 points).
 	**/
-	Input makeInput(const std::vector<const ccPointCloud*>& clouds, const LabelChoice& labels, const QString& stationFile = {});
+	Input makeInput(const std::vector<const ccPointCloud*>& clouds, const LabelChoice& labels, const QString& stationFile = {}, const Context& context = {});
 } // namespace s2b

@@ -23,9 +23,20 @@ class S2BParameterPanel : public QWidget
 	//! Shows the values again after they were changed elsewhere
 	void refresh();
 
+	//! Shows only the parameters whose name or help has that text
+	void setFilter(const QString& text);
+
   private:
-	void addRow(QGridLayout& grid, const s2b::ParameterInfo& info);
+	struct Row
+	{
+		QString               text; //!< what is searched
+		QWidget*              box = nullptr;
+		std::vector<QWidget*> widgets;
+	};
+
+	void addRow(QGridLayout& grid, const s2b::ParameterInfo& info, QWidget* box);
 
 	s2b::Parameters&                   m_parameters;
 	std::vector<std::function<void()>> m_refresh;
+	std::vector<Row>                   m_rows;
 };

@@ -12,11 +12,12 @@
 class QCheckBox;
 class QComboBox;
 class QDialogButtonBox;
-class QLabel;
 class QLineEdit;
 class QSpinBox;
-class QTreeWidget;
+class S2BLabelBox;
+class S2BLevelPage;
 class S2BParameterPanel;
+class S2BPresetBar;
 class ccPointCloud;
 
 namespace s2b
@@ -33,7 +34,8 @@ namespace s2b
 	};
 } // namespace s2b
 
-//! Reconstruct...: labels, what to look for and the parameters that matter in front, all others on the second page
+//! Reconstruct...: labels, what to look for and the parameters that matter in front, the levels on a page of their own, and
+//! all parameters on the last
 /** What was chosen is remembered. **/
 class S2BReconstructDlg : public QDialog
 {
@@ -46,28 +48,23 @@ class S2BReconstructDlg : public QDialog
 
   private:
 	QWidget* makeMainPage();
-	QWidget* makeLabelBox();
 	QWidget* makeStageBox();
 	QWidget* makeFileBox();
 	QWidget* makeExpertPage();
-	void     updateClasses();
 	void     updateButtons();
-	void     browseLabelMap();
 	void     browseIfc();
 	void     loadParameters();
 	void     saveParameters();
+	void     refreshParameters();
 	void     readSettings();
 	void     writeSettings() const;
 
 	std::vector<const ccPointCloud*> m_clouds;
 	s2b::Parameters                  m_parameters;
-	s2b::LabelMap                    m_map;
-	bool                             m_labelsFit = true;
 
-	QComboBox*                       m_field   = nullptr;
-	QComboBox*                       m_mapName = nullptr;
-	QTreeWidget*                     m_classes = nullptr;
-	QLabel*                          m_hint    = nullptr;
+	S2BPresetBar*                    m_presets = nullptr;
+	S2BLabelBox*                     m_labels  = nullptr;
+	S2BLevelPage*                    m_levels  = nullptr;
 	std::map<s2b::Stage, QCheckBox*> m_stages;
 	S2BParameterPanel*               m_front    = nullptr;
 	S2BParameterPanel*               m_expert   = nullptr;

@@ -14,12 +14,18 @@ namespace s2b
 	//! What was found, one line per storey and class
 	QStringList summary(const Building& building);
 
+	//! Dimensions that no point says, with the names of the elements: one line for each kind of them, for a warning
+	QStringList assumptions(const Building& building);
+
 	//! A storey's elevation in the world, "3.036 m"
 	QString elevationText(const Building& building, const Storey& storey);
 
 	//! The classes of the labels and how many points each has, in one line
 	QString labelSummary(const Input& input, const QString& mapName);
 
-	//! One diagnostic with its place in world coordinates
+	//! "Wall 12", or a storey's own name; empty for an id that no element has
+	QString elementName(const Building& building, ElementId id);
+
+	//! One diagnostic with its element and its place in world coordinates
 	QString diagnosticText(const Building& building, const Diagnostic& diagnostic);
 } // namespace s2b

@@ -7,12 +7,13 @@
 #include <QString>
 #include <functional>
 #include <optional>
+#include <vector>
 
 class ccMainAppInterface;
+class ccPointCloud;
 
 namespace s2b
 {
-	struct Input;
 	struct RunChoice;
 
 	//! Runs some work in a worker thread behind a progress dialog with a cancel button
@@ -23,9 +24,10 @@ namespace s2b
 	**/
 	bool runInBackground(ccMainAppInterface& app, Context context, const std::function<void(const Context&)>& work);
 
-	//! Reconstructs (and writes the IFC, if asked) in the background
-	/** \return nothing when the user cancelled: then no file was written either
-	    \throws Error as reconstruct() and writeIfc() do
+	//! Reads the clouds, reconstructs, and writes the IFC if asked, in the background
+	/** What the labels are, and why there are none, is said in the console.
+	    \return nothing when the user cancelled: then no file was written either
+	    \throws Error as makeInput(), reconstruct() and writeIfc() do
 	**/
-	std::optional<Building> reconstructInBackground(const Input& input, const RunChoice& choice, const QString& projectName, ccMainAppInterface& app);
+	std::optional<Building> reconstructInBackground(const std::vector<const ccPointCloud*>& clouds, const RunChoice& choice, const QString& projectName, ccMainAppInterface& app);
 } // namespace s2b

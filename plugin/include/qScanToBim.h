@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <ccStdPluginInterface.h>
+#include <vector>
 
 class QAction;
 class S2BEditPanel;
@@ -36,4 +37,8 @@ class qScanToBim : public QObject
 	QAction*        m_edit        = nullptr;
 	QAction*        m_translucent = nullptr;
 	S2BEditPanel*   m_editPanel   = nullptr;
+
+	//! Lists, views and help
+	QList<QAction*> makeTools();
+	QList<QAction*> m_tools;
 };

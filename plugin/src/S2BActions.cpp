@@ -2,7 +2,6 @@
 #include "S2BActions.h"
 
 #include "S2BEntities.h"
-#include "S2BInput.h"
 #include "S2BModel.h"
 #include "S2BReconstructDlg.h"
 #include "S2BRun.h"
@@ -10,7 +9,6 @@
 #include "S2BWorker.h"
 #include "core/base/error.h"
 
-#include <QApplication>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
@@ -29,6 +27,8 @@ namespace s2b
 		{
 			for (const QString& line : summary(building))
 				say(app, line);
+			for (const QString& line : assumptions(building))
+				say(app, line, true);
 			int shown = 0;
 			for (const Diagnostic& diagnostic : building.diagnostics)
 			{
@@ -96,26 +96,7 @@ namespace s2b
 				return;
 			const RunChoice choice = dialog.choice();
 
-			QApplication::setOverrideCursor(Qt::WaitCursor);
-			Input input;
-			try
-			{
-				input = makeInput({clouds.begin(), clouds.end()}, choice.labels);
-			}
-			catch (...)
-			{
-				QApplication::restoreOverrideCursor();
-				throw;
-			}
-			QApplication::restoreOverrideCursor();
-			if (!input.warning.isEmpty())
-				say(app, input.warning, true);
-			if (!input.labelField.isEmpty())
-				say(app, labelSummary(input, QString::fromStdString(choice.labels.map.name)));
-			if (!input.stationText.isEmpty())
-				say(app, input.stationText, false);
-
-			const std::optional<Building> building = reconstructInBackground(input, choice, clouds.front()->getName(), app);
+			const std::optional<Building> building = reconstructInBackground({clouds.begin(), clouds.end()}, choice, clouds.front()->getName(), app);
 			if (!building)
 			{
 				say(app, "cancelled, nothing was changed");

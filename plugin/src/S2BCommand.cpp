@@ -302,6 +302,8 @@ namespace s2b
 			printDiagnostics(cmd, building);
 			for (const QString& line : summary(building))
 				cmd.print("[S2B] " + line);
+			for (const QString& line : assumptions(building))
+				cmd.warning("[S2B] " + line);
 			cmd.print(QString("[S2B] wrote %1").arg(path));
 			if (options.validates())
 			{

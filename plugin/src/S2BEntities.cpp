@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "S2BEntities.h"
 
+#include "S2BFindings.h"
 #include "S2BModel.h"
 #include "S2BSummary.h"
 #include "core/corrections/corrections.h"
@@ -323,6 +324,8 @@ namespace s2b
 					             entity->second->setName(QString::fromStdString(nameOf(model, e.id)));
 			             } });
 		root->setMetaData(QString(kBodilessKey), bodiless);
+		if (auto findings = makeFindings(building, reference))
+			root->addChild(findings.release());
 		return root;
 	}
 } // namespace s2b

@@ -49,11 +49,19 @@ namespace s2b
 			return names.isEmpty() ? QString("it has no scalar field") : "it has: " + names.join(", ");
 		}
 
-		void checkPrecision(const ccPointCloud& cloud)
+		// Once in a million points: a fraction of a millisecond's work.
+		void pollCancel(const Context& context, unsigned i)
+		{
+			if ((i & 0xFFFFFu) == 0)
+				context.checkCancelled();
+		}
+
+		void checkPrecision(const ccPointCloud& cloud, const Context& context)
 		{
 			double largest = 0;
 			for (unsigned i = 0; i < cloud.size(); ++i)
 			{
+				pollCancel(context, i);
 				const CCVector3* p = cloud.getPoint(i);
 				const double     m = std::max({std::abs(p->x), std::abs(p->y), std::abs(p->z)});
 				if (!std::isfinite(p->x) || !std::isfinite(p->y) || !std::isfinite(p->z))
@@ -104,13 +112,14 @@ namespace s2b
 			}();
 		};
 
-		void readLabels(const ccPointCloud& cloud, const ccScalarField& field, const LabelMap& map, Input& input)
+		void readLabels(const ccPointCloud& cloud, const ccScalarField& field, const LabelMap& map, Input& input, const Context& context)
 		{
 			const CodeTable            table(map);
 			const double               shift = field.getGlobalShift();
 			std::map<int, std::size_t> unknown;
 			for (unsigned i = 0; i < cloud.size(); ++i)
 			{
+				pollCancel(context, i);
 				const ScalarType value = field.getValue(i);
 				int              label = static_cast<int>(Label::Unassigned);
 				if (CCCoreLib::ScalarField::ValidValue(value)) // CloudCompare's NaN says "no value here"
@@ -163,7 +172,7 @@ namespace s2b
 					confidence.push_back(static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(std::isnan(value) ? 0.0 : value, 0.0, 1.0))));
 				}
 			}
-			input.ownConfidence   = std::move(confidence);
+			input.ownConfidence = std::move(confidence);
 		}
 
 		// A single cloud's colours are read in place, as its points are.
@@ -188,7 +197,7 @@ namespace s2b
 			input.view.rgb = input.ownColors.data();
 		}
 
-		void readAllLabels(const std::vector<const ccPointCloud*>& clouds, const LabelChoice& choice, Input& input)
+		void readAllLabels(const std::vector<const ccPointCloud*>& clouds, const LabelChoice& choice, Input& input, const Context& context)
 		{
 			std::vector<const ccScalarField*> fields;
 			for (const ccPointCloud* cloud : clouds)
@@ -207,7 +216,7 @@ namespace s2b
 			}
 			input.ownLabels.reserve(input.view.count);
 			for (std::size_t i = 0; i < clouds.size(); ++i)
-				readLabels(*clouds[i], *fields[i], fields[i]->getName() == QString(kClassField) ? builtInLabelMap("s2b") : choice.map, input);
+				readLabels(*clouds[i], *fields[i], fields[i]->getName() == QString(kClassField) ? builtInLabelMap("s2b") : choice.map, input, context);
 			if (input.labelCounts[static_cast<std::size_t>(Label::Unassigned)] == input.view.count)
 			{
 				input.warning = QString("the field '%1' leaves every point unassigned: working from the geometry alone").arg(fields.front()->getName());
@@ -229,7 +238,7 @@ namespace s2b
 		}
 
 		// One cloud as it is: a view. Several, or a scaled one: a copy about the first one's origin.
-		void viewPoints(const std::vector<const ccPointCloud*>& clouds, Input& input)
+		void viewPoints(const std::vector<const ccPointCloud*>& clouds, Input& input, const Context& context)
 		{
 			const ccPointCloud& first  = *clouds.front();
 			const CCVector3d    origin = -1.0 * first.getGlobalShift(); // global = local / scale - shift
@@ -244,6 +253,7 @@ namespace s2b
 			{
 				for (unsigned i = 0; i < cloud->size(); ++i)
 				{
+					pollCancel(context, i);
 					const CCVector3d p = cloud->toGlobal3d(*cloud->getPoint(i)) - origin;
 					for (const double c : p.u)
 					{
@@ -297,7 +307,7 @@ namespace s2b
 		return counts;
 	}
 
-	Input makeInput(const std::vector<const ccPointCloud*>& clouds, const LabelChoice& labels, const QString& stationFile)
+	Input makeInput(const std::vector<const ccPointCloud*>& clouds, const LabelChoice& labels, const QString& stationFile, const Context& context)
 	{
 		Input input;
 		if (clouds.empty())
@@ -306,13 +316,13 @@ namespace s2b
 		{
 			if (cloud->size() == 0)
 				fail(ErrorCode::EmptyCloud, QString("the cloud '%1' has no points").arg(cloud->getName()));
-			checkPrecision(*cloud);
+			checkPrecision(*cloud, context);
 			input.view.count += cloud->size();
 		}
-		viewPoints(clouds, input);
+		viewPoints(clouds, input, context);
 		viewColors(clouds, input);
 		if (labels.use)
-			readAllLabels(clouds, labels, input);
+			readAllLabels(clouds, labels, input, context);
 		addStations(clouds, stationFile, input);
 		return input;
 	}

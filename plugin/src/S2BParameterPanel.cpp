@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <QWheelEvent>
 #include <algorithm>
+#include <set>
 
 namespace
 {
@@ -70,22 +71,23 @@ S2BParameterPanel::S2BParameterPanel(s2b::Parameters& parameters, const std::vec
 		auto* grid = new QGridLayout;
 		column->addLayout(grid);
 		for (const std::string& name : names)
-			addRow(*grid, s2b::findParameter(name));
+			addRow(*grid, s2b::findParameter(name), nullptr);
 		return;
 	}
 	QString      stage;
 	QGridLayout* grid = nullptr;
+	QWidget*     box  = nullptr;
 	for (const s2b::ParameterInfo& info : s2b::parameterTable())
 	{
 		const QString itsStage = fromStd(info.name).section('.', 0, 0);
 		if (itsStage != stage)
 		{
-			stage     = itsStage;
-			auto* box = new QGroupBox(stage.left(1).toUpper() + stage.mid(1));
-			grid      = new QGridLayout(box);
+			stage = itsStage;
+			box   = new QGroupBox(stage.left(1).toUpper() + stage.mid(1));
+			grid  = new QGridLayout(box);
 			column->addWidget(box);
 		}
-		addRow(*grid, info);
+		addRow(*grid, info, box);
 	}
 	column->addStretch();
 }
@@ -96,7 +98,25 @@ void S2BParameterPanel::refresh()
 		show();
 }
 
-void S2BParameterPanel::addRow(QGridLayout& grid, const s2b::ParameterInfo& info)
+void S2BParameterPanel::setFilter(const QString& text)
+{
+	std::set<QWidget*> shown;
+	for (const Row& row : m_rows)
+	{
+		const bool isIn = row.text.contains(text.trimmed(), Qt::CaseInsensitive);
+		for (QWidget* widget : row.widgets)
+			widget->setVisible(isIn);
+		if (isIn)
+			shown.insert(row.box);
+	}
+	for (const Row& row : m_rows)
+	{
+		if (row.box)
+			row.box->setVisible(shown.count(row.box) > 0);
+	}
+}
+
+void S2BParameterPanel::addRow(QGridLayout& grid, const s2b::ParameterInfo& info, QWidget* box)
 {
 	const double fallback = info.value(s2b::Parameters{});
 	const int    row      = grid.rowCount();
@@ -107,52 +127,69 @@ void S2BParameterPanel::addRow(QGridLayout& grid, const s2b::ParameterInfo& info
 	reset->setToolTip(QString("Back to the default, %1%2").arg(fallback).arg(unitSuffix(info)));
 	label->setToolTip(helpText(info));
 
-	const auto showReset = [this, reset, fallback, &info]
-	{ reset->setEnabled(info.value(m_parameters) != fallback); };
+	// What differs from the default is seen at a glance.
+	const auto showReset = [this, reset, label, fallback, &info]
+	{
+		const bool isChanged = info.value(m_parameters) != fallback;
+		QFont      font      = label->font();
+		font.setBold(isChanged);
+		label->setFont(font);
+		reset->setEnabled(isChanged);
+	};
 	QWidget* editor = nullptr;
 	if (info.isSwitch())
 	{
-		auto* box = new QCheckBox;
-		editor    = box;
-		connect(box, &QCheckBox::toggled, this, [this, &info, showReset](bool on)
+		auto* check = new QCheckBox;
+		editor      = check;
+		connect(check, &QCheckBox::toggled, this, [this, &info, showReset](bool on)
 		        {
 			        info.set(m_parameters, on ? 1.0 : 0.0);
 			        showReset(); });
-		m_refresh.emplace_back([this, box, &info, showReset]
+		m_refresh.emplace_back([this, check, &info, showReset]
 		                       {
-			                       box->setChecked(info.value(m_parameters) != 0);
+			                       check->setChecked(info.value(m_parameters) != 0);
 			                       showReset(); });
-		connect(reset, &QToolButton::clicked, box, [box, fallback]
-		        { box->setChecked(fallback != 0); });
+		connect(reset, &QToolButton::clicked, check, [check, fallback]
+		        { check->setChecked(fallback != 0); });
 	}
 	else
 	{
-		auto*     box      = new QuietSpinBox;
+		auto*     spin     = new QuietSpinBox;
 		const int decimals = info.isInteger() ? 0 : 3;
-		editor             = box;
-		box->setDecimals(decimals);
-		box->setRange(info.minimum, info.maximum);
-		box->setSingleStep(info.isInteger() ? 1 : std::max(0.001, std::min(0.1, fallback / 10)));
-		box->setSuffix(unitSuffix(info));
-		box->setMinimumWidth(130);
-		connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this, &info, showReset](double value)
+		editor             = spin;
+		spin->setDecimals(decimals);
+		spin->setRange(info.minimum, info.maximum);
+		spin->setSingleStep(info.isInteger() ? 1 : std::max(0.001, std::min(0.1, fallback / 10)));
+		spin->setSuffix(unitSuffix(info));
+		spin->setMinimumWidth(130);
+		connect(spin, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this, &info, showReset](double value)
 		        {
 			        info.set(m_parameters, value);
 			        showReset(); });
-		m_refresh.emplace_back([this, box, &info, showReset]
+		m_refresh.emplace_back([this, spin, &info, showReset]
 		                       {
 			                       // Three decimals are shown; a finer value from a file stays as it is until it is edited.
-			                       const QSignalBlocker quiet(box);
-			                       box->setValue(info.value(m_parameters));
+			                       const QSignalBlocker quiet(spin);
+			                       spin->setValue(info.value(m_parameters));
 			                       showReset(); });
-		connect(reset, &QToolButton::clicked, box, [box, fallback]
-		        { box->setValue(fallback); });
+		connect(reset, &QToolButton::clicked, spin, [spin, fallback]
+		        { spin->setValue(fallback); });
 	}
 	editor->setObjectName(fromStd(info.name));
 	editor->setToolTip(helpText(info));
 	grid.addWidget(label, row, 0);
 	grid.addWidget(editor, row, 1);
 	grid.addWidget(reset, row, 2);
+	Row shown{QString("%1 %2 %3").arg(readableName(info.name), fromStd(info.name), fromStd(info.help)), box, {label, editor, reset}};
+	if (box) // on the page of all parameters there is room for it
+	{
+		auto* range = new QLabel(info.isSwitch() ? QString() : QString("%1 to %2").arg(info.minimum).arg(info.maximum));
+		range->setEnabled(false); // greyed
+		range->setToolTip(helpText(info));
+		grid.addWidget(range, row, 3);
+		shown.widgets.push_back(range);
+	}
+	m_rows.push_back(shown);
 	grid.setColumnStretch(0, 1);
 	m_refresh.back()();
 }

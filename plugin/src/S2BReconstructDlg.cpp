@@ -1,31 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "S2BReconstructDlg.h"
 
+#include "S2BFileDialog.h"
+#include "S2BLabelBox.h"
+#include "S2BLevelPage.h"
 #include "S2BParameterPanel.h"
+#include "S2BPresetBar.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QFileDialog>
-#include <QFormLayout>
+#include <QDir>
+#include <QFile>
 #include <QGroupBox>
-#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSaveFile>
 #include <QScrollArea>
+#include <QSettings>
 #include <QSpinBox>
 #include <QTabWidget>
-#include <QTreeWidget>
 #include <QVBoxLayout>
 #include <ccPointCloud.h>
 
 namespace
 {
-	const QString kFile = "From a file...";
-
 	// The ones that differ from building to building.
 	const std::vector<std::string> kFrontParameters{
 	    "levels.minimumRoomHeight",
@@ -51,17 +53,11 @@ namespace
 	    {s2b::Stage::Slabs, "slabs", "Slabs"},
 	    {s2b::Stage::Spaces, "spaces", "Spaces"},
 	};
-
-	std::string localFile(const QString& path)
-	{
-		return path.toLocal8Bit().toStdString();
-	}
 } // namespace
 
 S2BReconstructDlg::S2BReconstructDlg(const std::vector<const ccPointCloud*>& clouds, QWidget* parent)
     : QDialog(parent, Qt::Tool)
     , m_clouds(clouds)
-    , m_map(s2b::builtInLabelMap("s2b"))
 {
 	setObjectName("S2BReconstructDlg");
 	setWindowTitle("Scan to BIM: reconstruct");
@@ -74,11 +70,11 @@ S2BReconstructDlg::S2BReconstructDlg(const std::vector<const ccPointCloud*>& clo
 	auto* tabs = new QTabWidget;
 	tabs->setObjectName("tabs");
 	tabs->addTab(makeMainPage(), "Reconstruction");
+	m_levels = new S2BLevelPage(m_clouds, [this]
+	                            { return S2BLevelPage::Request{choice().pipeline, choice().labels}; });
+	tabs->addTab(m_levels, "Levels");
 	tabs->addTab(makeExpertPage(), "All parameters");
-	connect(tabs, &QTabWidget::currentChanged, this, [this]
-	        {
-		        m_front->refresh();
-		        m_expert->refresh(); });
+	connect(tabs, &QTabWidget::currentChanged, this, &S2BReconstructDlg::refreshParameters);
 
 	m_buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
 	m_buttons->button(QDialogButtonBox::Ok)->setText("Reconstruct");
@@ -94,16 +90,21 @@ S2BReconstructDlg::S2BReconstructDlg(const std::vector<const ccPointCloud*>& clo
 	column->addWidget(m_buttons);
 
 	readSettings();
-	updateClasses();
-	resize(560, 680);
+	updateButtons();
+	resize(600, 740);
 }
 
 QWidget* S2BReconstructDlg::makeMainPage()
 {
 	auto* page   = new QWidget;
 	auto* column = new QVBoxLayout(page);
-	column->addWidget(makeLabelBox(), 1);
+	m_presets    = new S2BPresetBar(m_parameters);
+	m_labels     = new S2BLabelBox(m_clouds);
+	column->addWidget(m_presets);
+	column->addWidget(m_labels, 1);
 	column->addWidget(makeStageBox());
+	connect(m_presets, &S2BPresetBar::applied, this, &S2BReconstructDlg::refreshParameters);
+	connect(m_labels, &S2BLabelBox::changed, this, &S2BReconstructDlg::updateButtons);
 
 	auto* box       = new QGroupBox("This building");
 	auto* boxColumn = new QVBoxLayout(box);
@@ -112,48 +113,6 @@ QWidget* S2BReconstructDlg::makeMainPage()
 	column->addWidget(box);
 	column->addWidget(makeFileBox());
 	return page;
-}
-
-QWidget* S2BReconstructDlg::makeLabelBox()
-{
-	auto* box  = new QGroupBox("Labels of the points");
-	auto* form = new QFormLayout(box);
-
-	m_field = new QComboBox;
-	m_field->setObjectName("labelField");
-	m_field->addItem("None: from the geometry alone");
-	const ccPointCloud& first = *m_clouds.front();
-	for (unsigned i = 0; i < first.getNumberOfScalarFields(); ++i)
-		m_field->addItem(first.getScalarFieldName(static_cast<int>(i)));
-	m_field->setToolTip("The scalar field that holds a class code for every point");
-	form->addRow("Field", m_field);
-
-	m_mapName = new QComboBox;
-	m_mapName->setObjectName("labelMap");
-	m_mapName->addItems({"s2b", "s3dis", "scannet", "asprs", kFile});
-	m_mapName->setToolTip("What the codes mean: a built-in map, or a TOML file with a table [labels] of code = \"class\"");
-	form->addRow("Meaning of the codes", m_mapName);
-
-	m_classes = new QTreeWidget;
-	m_classes->setObjectName("classes");
-	m_classes->setHeaderLabels({"Code", "Class", "Points"});
-	m_classes->setRootIsDecorated(false);
-	m_classes->setAlternatingRowColors(true);
-	m_classes->setSelectionMode(QAbstractItemView::NoSelection);
-	m_classes->header()->setStretchLastSection(true);
-	m_classes->setMinimumHeight(110);
-	form->addRow(m_classes);
-
-	m_hint = new QLabel;
-	m_hint->setObjectName("hint");
-	m_hint->setWordWrap(true);
-	form->addRow(m_hint);
-
-	connect(m_field, qOverload<int>(&QComboBox::currentIndexChanged), this, [this]
-	        { updateClasses(); });
-	connect(m_mapName, qOverload<int>(&QComboBox::activated), this, [this]
-	        { browseLabelMap(); });
-	return box;
 }
 
 QWidget* S2BReconstructDlg::makeStageBox()
@@ -214,7 +173,13 @@ QWidget* S2BReconstructDlg::makeExpertPage()
 	auto* page   = new QWidget;
 	auto* column = new QVBoxLayout(page);
 	auto* scroll = new QScrollArea;
+	auto* search = new QLineEdit;
 	m_expert     = new S2BParameterPanel(m_parameters, {});
+	search->setObjectName("parameterSearch");
+	search->setPlaceholderText("Search names and help");
+	search->setClearButtonEnabled(true);
+	connect(search, &QLineEdit::textChanged, m_expert, &S2BParameterPanel::setFilter);
+	column->addWidget(search);
 	scroll->setWidget(m_expert);
 	scroll->setWidgetResizable(true);
 	scroll->setFrameShape(QFrame::NoFrame);
@@ -248,60 +213,21 @@ QWidget* S2BReconstructDlg::makeExpertPage()
 	        { loadParameters(); });
 	connect(save, &QPushButton::clicked, this, [this]
 	        { saveParameters(); });
+	load->setObjectName("loadParameters");
+	save->setObjectName("saveParameters");
 	connect(restore, &QPushButton::clicked, this, [this]
 	        {
 		        m_parameters = {};
-		        m_expert->refresh();
-		        m_front->refresh(); });
+		        m_presets->clear();
+		        refreshParameters(); });
 	return page;
 }
 
-void S2BReconstructDlg::updateClasses()
+void S2BReconstructDlg::refreshParameters()
 {
-	m_classes->clear();
-	m_hint->clear();
-	m_labelsFit         = true;
-	const bool hasField = m_field->currentIndex() > 0;
-	m_mapName->setEnabled(hasField);
-	m_classes->setVisible(hasField);
-	if (!hasField)
-	{
-		m_hint->setText("Labels make the result better: a classified cloud gives fewer mistakes with furniture and doors.");
-		updateButtons();
-		return;
-	}
-	std::map<int, std::size_t> counts;
-	for (const ccPointCloud* cloud : m_clouds)
-	{
-		bool hasFractions = false;
-		for (const auto& [code, count] : s2b::countCodes(*cloud, m_field->currentText(), hasFractions))
-			counts[code] += count;
-		m_labelsFit = m_labelsFit && !hasFractions;
-	}
-	if (!m_labelsFit)
-	{
-		m_hint->setText("<span style='color:#b00020'>This field is not made of class codes: choose another one, or none.</span>");
-		updateButtons();
-		return;
-	}
-	int unknown = 0;
-	for (const auto& [code, count] : counts)
-	{
-		const auto known = m_map.classOfCode.find(code);
-		const bool isIn  = known != m_map.classOfCode.end();
-		const auto name  = isIn ? QString::fromStdString(std::string(s2b::labelName(known->second))) : QString("not in this map");
-		auto*      item  = new QTreeWidgetItem(m_classes, {QString::number(code), name, QLocale(QLocale::English).toString(static_cast<qulonglong>(count))});
-		item->setTextAlignment(2, Qt::AlignRight);
-		if (!isIn)
-		{
-			item->setForeground(1, QColor(0xb0, 0x00, 0x20));
-			++unknown;
-		}
-	}
-	m_labelsFit = unknown == 0;
-	if (unknown)
-		m_hint->setText(QString("<span style='color:#b00020'>%1 in this cloud have no class in the map '%2': choose another map.</span>").arg(unknown == 1 ? QString("The codes of one class") : QString("%1 codes").arg(unknown), QString::fromStdString(m_map.name)));
-	updateButtons();
+	m_front->refresh();
+	m_expert->refresh();
+	m_levels->refresh();
 }
 
 void S2BReconstructDlg::updateButtons()
@@ -309,68 +235,51 @@ void S2BReconstructDlg::updateButtons()
 	if (!m_buttons) // still being built
 		return;
 	const bool hasFile = !m_writeIfc->isChecked() || !m_ifcPath->text().trimmed().isEmpty();
-	m_buttons->button(QDialogButtonBox::Ok)->setEnabled(m_labelsFit && hasFile);
-}
-
-void S2BReconstructDlg::browseLabelMap()
-{
-	QString name = m_mapName->currentText();
-	try
-	{
-		if (name == kFile)
-		{
-			name = QFileDialog::getOpenFileName(this, "Label map", {}, "TOML (*.toml)");
-			if (name.isEmpty())
-			{
-				m_mapName->setCurrentText("s2b");
-				name = "s2b";
-			}
-		}
-		m_map = s2b::loadLabelMap(localFile(name));
-	}
-	catch (const std::exception& e)
-	{
-		QMessageBox::warning(this, "Scan to BIM", QString::fromUtf8(e.what()));
-		m_mapName->setCurrentText("s2b");
-		m_map = s2b::builtInLabelMap("s2b");
-	}
-	updateClasses();
+	m_buttons->button(QDialogButtonBox::Ok)->setEnabled(m_labels->fits() && hasFile);
 }
 
 void S2BReconstructDlg::browseIfc()
 {
-	QString path = QFileDialog::getSaveFileName(this, "Write IFC", m_ifcPath->text(), "IFC (*.ifc)");
-	if (path.isEmpty())
-		return;
-	if (!path.endsWith(".ifc", Qt::CaseInsensitive))
-		path += ".ifc";
-	m_ifcPath->setText(path);
+	const QString path = s2b::askForFile(this, {"S2BIfcFile", "Write IFC", m_ifcPath->text(), "IFC (*.ifc)", "ifc"});
+	if (!path.isEmpty())
+		m_ifcPath->setText(path);
 }
 
+// The folder of parameter files is remembered apart from that of the models.
 void S2BReconstructDlg::loadParameters()
 {
-	const QString path = QFileDialog::getOpenFileName(this, "Load parameters", {}, "TOML (*.toml)");
+	QSettings     settings;
+	const QString path = s2b::askForFile(this, {"S2BLoadParameters", "Load parameters", settings.value("qScanToBim/configFolder", QDir::homePath()).toString(), "TOML (*.toml)", {}});
 	if (path.isEmpty())
 		return;
+	settings.setValue("qScanToBim/configFolder", QFileInfo(path).absolutePath());
 	try
 	{
-		s2b::loadConfig(m_parameters, localFile(path));
+		s2b::Parameters loaded; // what the file does not say is a default, as with -CONFIG
+		s2b::loadConfig(loaded, QFile::encodeName(path).toStdString());
+		m_parameters = loaded;
+		m_presets->clear();
 	}
 	catch (const std::exception& e)
 	{
-		QMessageBox::warning(this, "Scan to BIM", QString::fromUtf8(e.what()));
+		QMessageBox box(QMessageBox::Warning, "Scan to BIM", QString::fromUtf8(e.what()), QMessageBox::Ok, this);
+		box.setObjectName("S2BMessage");
+		box.exec();
 	}
-	m_expert->refresh();
-	m_front->refresh();
+	refreshParameters();
 }
 
 void S2BReconstructDlg::saveParameters()
 {
-	QString path = QFileDialog::getSaveFileName(this, "Save parameters", "parameters.toml", "TOML (*.toml)");
+	QSettings     settings;
+	const QString start = QDir(settings.value("qScanToBim/configFolder", QDir::homePath()).toString()).filePath("parameters.toml");
+	const QString path  = s2b::askForFile(this, {"S2BSaveParameters", "Save parameters", start, "TOML (*.toml)", "toml"});
 	if (path.isEmpty())
 		return;
-	QFile file(path);
-	if (!file.open(QIODevice::WriteOnly) || file.write(s2b::configText(m_parameters).c_str()) < 0)
+	settings.setValue("qScanToBim/configFolder", QFileInfo(path).absolutePath());
+	const QByteArray text = QByteArray::fromStdString(s2b::configText(m_parameters));
+	QSaveFile        file(path); // all of it or nothing
+	if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
 		QMessageBox::warning(this, "Scan to BIM", QString("'%1' can't be written.").arg(path));
 }
 
@@ -378,17 +287,16 @@ s2b::RunChoice S2BReconstructDlg::choice() const
 {
 	s2b::RunChoice choice;
 	choice.pipeline.parameters   = m_parameters;
-	choice.pipeline.geometryOnly = m_field->currentIndex() <= 0;
+	choice.labels                = m_labels->choice();
+	choice.pipeline.geometryOnly = !choice.labels.use;
 	choice.pipeline.stages       = {s2b::Stage::Levels};
 	for (const auto& [stage, check] : m_stages)
 	{
 		if (check->isChecked() && check->isEnabled())
 			choice.pipeline.stages.insert(stage);
 	}
-	choice.labels.use = !choice.pipeline.geometryOnly;
-	choice.labels.map = m_map;
-	if (choice.labels.use)
-		choice.labels.field = m_field->currentText();
+	if (m_levels)
+		choice.pipeline.levels = m_levels->given();
 	if (m_writeIfc->isChecked())
 		choice.ifcPath = m_ifcPath->text().trimmed();
 	choice.schema  = m_schema->currentText();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the dialog remembers from one time to the next.
+#include "S2BLabelBox.h"
 #include "S2BParameterPanel.h"
+#include "S2BPresetBar.h"
 #include "S2BReconstructDlg.h"
 
 #include <QCheckBox>
@@ -10,7 +12,6 @@
 #include <QLineEdit>
 #include <QSettings>
 #include <QSpinBox>
-#include <algorithm>
 #include <ccPointCloud.h>
 
 namespace
@@ -46,22 +47,8 @@ void S2BReconstructDlg::readSettings()
 	m_writeIfc->setChecked(settings.value("writeIfc", false).toBool());
 	const QString folder = settings.value("folder", QDir::homePath()).toString();
 	m_ifcPath->setText(QDir(folder).filePath(m_clouds.front()->getName().section(" - ", 0, 0).section('.', 0, 0) + ".ifc"));
-
-	// The field of last time if this cloud has it, or the one that holds labels by custom.
-	int field = m_field->findText(settings.value("labelField").toString());
-	if (field <= 0)
-		field = m_field->findText(s2b::defaultLabelField(*m_clouds.front()));
-	m_field->setCurrentIndex(std::max(0, field));
-	const QString map = settings.value("labelMap", "s2b").toString();
-	try
-	{
-		m_map = s2b::builtInLabelMap(map.toStdString());
-		m_mapName->setCurrentText(map);
-	}
-	catch (const std::exception&)
-	{
-		// it was a file: that has to be chosen again
-	}
+	m_presets->readSettings(settings);
+	m_labels->readSettings(settings);
 }
 
 void S2BReconstructDlg::writeSettings() const
@@ -85,6 +72,6 @@ void S2BReconstructDlg::writeSettings() const
 	settings.setValue("writeIfc", m_writeIfc->isChecked());
 	if (m_writeIfc->isChecked())
 		settings.setValue("folder", QFileInfo(m_ifcPath->text()).absolutePath());
-	settings.setValue("labelField", m_field->currentIndex() > 0 ? m_field->currentText() : QString());
-	settings.setValue("labelMap", m_mapName->currentText());
+	m_presets->writeSettings(settings);
+	m_labels->writeSettings(settings);
 }

@@ -2,6 +2,7 @@
 // The actions Levels, Walls, Doors, Columns and Rooms.
 #include "S2BActions.h"
 #include "S2BEntities.h"
+#include "S2BFindingsDock.h"
 #include "S2BInput.h"
 #include "S2BModel.h"
 #include "S2BReconstructDlg.h"
@@ -134,10 +135,15 @@ namespace s2b
 
 	void addModel(ccMainAppInterface& app, const Model& model, const std::vector<ccPointCloud*>& clouds)
 	{
-		std::unique_ptr<ccHObject> tree = makeTree(model, *clouds.front(), clouds.front()->getName() + " [BIM]");
+		ccHObject* tree = makeTree(model, *clouds.front(), clouds.front()->getName() + " [BIM]").release(); // the application's
 		rememberClouds(*tree, clouds);
 		tree->setDisplay_recursive(clouds.front()->getDisplay());
-		app.addToDB(tree.release(), false, true, false, true);
+		app.addToDB(tree, false, true, false, true);
+		if (model.corrected.diagnostics.empty())
+			return;
+		auto* dock = S2BDock::of<S2BFindingsDock>(app);
+		dock->setSubject(tree);
+		dock->offer();
 	}
 
 	void runStages(ccMainAppInterface& app, const std::set<Stage>& stages)

@@ -11,6 +11,8 @@ namespace s2b
 {
 	namespace
 	{
+		constexpr std::size_t kMaxNames = 12; // in one line
+
 		QString counted(std::size_t count, const char* one, const char* many)
 		{
 			return QString("%1 %2").arg(count).arg(count == 1 ? one : many);
@@ -29,6 +31,12 @@ namespace s2b
 		{
 			return static_cast<std::size_t>(std::count_if(elements.begin(), elements.end(), [&](const Element& element)
 			                                              { return element.storey == storey; }));
+		}
+		template <typename Elements>
+		bool holds(const Elements& elements, ElementId id)
+		{
+			return std::any_of(elements.begin(), elements.end(), [&](const auto& element)
+			                   { return element.id == id; });
 		}
 	} // namespace
 
@@ -56,12 +64,42 @@ namespace s2b
 			             .arg(storey.height.value_m, 0, 'f', 2)
 			             .arg(parts.isEmpty() ? QString("nothing") : parts.join(", "));
 		}
-		const auto assumed = std::count_if(building.walls.begin(), building.walls.end(), [](const Wall& wall)
-		                                   { return wall.thickness.provenance == Provenance::Assumed; });
-		if (assumed)
-			lines << QString("%1 of %2 walls were seen from one side: their thickness is assumed").arg(assumed).arg(building.walls.size());
 		if (building.storeys.empty())
 			lines << "no storey was found";
+		return lines;
+	}
+
+	QStringList assumptions(const Building& building)
+	{
+		QStringList lines;
+		const auto  add = [&](const auto& elements, auto isAssumed, const QString& what)
+		{
+			QStringList names;
+			std::size_t count = 0;
+			for (const auto& element : elements)
+			{
+				if (!isAssumed(element))
+					continue;
+				if (++count <= kMaxNames)
+					names << elementName(building, element.id);
+			}
+			if (count > kMaxNames)
+				names << "...";
+			if (count)
+				lines << QString("%1 of %2 %3: %4").arg(count).arg(elements.size()).arg(what, names.join(", "));
+		};
+		add(building.walls, [](const Wall& wall)
+		    { return wall.thickness.provenance == Provenance::Assumed; },
+		    "walls were seen from one side, their thickness is assumed");
+		add(building.slabs, [](const Slab& slab)
+		    { return slab.thickness.provenance == Provenance::Assumed; },
+		    "slabs were seen from one side, their thickness is assumed");
+		add(building.columns, [](const Column& column)
+		    { return column.sectionProvenance == Provenance::Assumed; },
+		    "columns were seen in part, their section is assumed");
+		add(building.storeys, [](const Storey& storey)
+		    { return storey.height.provenance == Provenance::Assumed; },
+		    "storeys have no level ceiling, their height is that of the walls");
 		return lines;
 	}
 
@@ -82,14 +120,39 @@ namespace s2b
 		return QString("labels from the field '%1' with the map '%2': %3").arg(input.labelField, mapName, parts.join(", "));
 	}
 
+	QString elementName(const Building& building, ElementId id)
+	{
+		if (id.value == 0)
+			return {};
+		for (const Storey& storey : building.storeys)
+		{
+			if (storey.id == id)
+				return QString::fromStdString(storey.name);
+		}
+		const auto  opening = std::find_if(building.openings.begin(), building.openings.end(), [&](const Opening& each)
+                                          { return each.id == id; });
+		const char* kind    = holds(building.walls, id) ? "Wall" : holds(building.columns, id) ? "Column"
+		                                                       : holds(building.slabs, id)     ? "Slab"
+		                                                       : holds(building.spaces, id)    ? "Space"
+		                                                                                       : "";
+		if (opening != building.openings.end())
+			kind = opening->kind == OpeningKind::Door ? "Door" : opening->kind == OpeningKind::Window ? "Window"
+			                                                                                          : "Opening";
+		return *kind ? QString("%1 %2").arg(kind).arg(id.value) : QString();
+	}
+
 	QString diagnosticText(const Building& building, const Diagnostic& diagnostic)
 	{
-		QString text = QString("%1: %2").arg(QString::fromStdString(diagnostic.stage), QString::fromStdString(diagnostic.text));
-		if (!diagnostic.location.isZero())
-		{
-			const Eigen::Vector3d p = building.frame.toWorld(diagnostic.location);
-			text += QString(" (at %1, %2, %3)").arg(p.x(), 0, 'f', 2).arg(p.y(), 0, 'f', 2).arg(p.z(), 0, 'f', 2);
-		}
-		return text;
+		const QString text    = QString("%1: %2").arg(QString::fromStdString(diagnostic.stage), QString::fromStdString(diagnostic.text));
+		const QString element = elementName(building, diagnostic.element);
+		QStringList   where;
+		if (!element.isEmpty())
+			where << element;
+		const Eigen::Vector3d p = building.frame.toWorld(diagnostic.location);
+		if (!diagnostic.location.head<2>().isZero())
+			where << QString("at %1, %2, %3").arg(p.x(), 0, 'f', 2).arg(p.y(), 0, 'f', 2).arg(p.z(), 0, 'f', 2);
+		else if (diagnostic.location.z() != 0)
+			where << QString("at the height %1 m").arg(p.z(), 0, 'f', 2);
+		return where.isEmpty() ? text : QString("%1 (%2)").arg(text, where.join(", "));
 	}
 } // namespace s2b

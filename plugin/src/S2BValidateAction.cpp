@@ -5,6 +5,7 @@
 #include "S2BRun.h"
 #include "S2BValidate.h"
 #include "S2BValidateDlg.h"
+#include "S2BValidationDock.h"
 #include "S2BValidationTree.h"
 #include "S2BWorker.h"
 #include "core/base/error.h"
@@ -77,6 +78,7 @@ namespace s2b
 			const CloudView*  cloud    = nullptr;
 			const Building*   building = nullptr;
 			QString           cloudName;
+			KeptReport        report; //!< where it is written
 			ValidationOutcome compare(const Context& context) const;
 		};
 
@@ -116,12 +118,24 @@ namespace s2b
 			validation::ValidationParams params;
 			params.tolerance          = choice.tolerance;
 			ValidationOutcome outcome = compareModels(std::move(truth), std::move(result), cloud, params, partOf(context, kRead, kCompared));
-			if (!choice.reportFolder.isEmpty())
-				report::writeReport(reportInput(outcome, cloud, {cloudName, building, {}}), QFile::encodeName(choice.reportFolder).toStdString(), partOf(context, kCompared, 1.0));
+			report::writeReport(reportInput(outcome, cloud, {cloudName, building, {}}), QFile::encodeName(report.folder).toStdString(), partOf(context, kCompared, 1.0));
 			return outcome;
 		}
 
-		void showOutcome(ccMainAppInterface& app, const ValidationSelection& selection, const ValidationOutcome& outcome, const QString& name)
+		// A report that nobody asked for is kept for as long as the window, so that it can be asked for later: by then the
+		// cloud may be gone.
+		KeptReport reportOf(const ValidationChoice& choice)
+		{
+			if (!choice.reportFolder.isEmpty())
+				return {choice.reportFolder, nullptr};
+			auto temporary = std::make_shared<QTemporaryDir>();
+			if (!temporary->isValid())
+				throw Error(ErrorCode::CannotWrite, "there is no temporary folder to write the report to: " + temporary->errorString().toStdString());
+			const QString folder = temporary->filePath("report");
+			return {folder, std::move(temporary)};
+		}
+
+		void showOutcome(ccMainAppInterface& app, const ValidationSelection& selection, const ValidationOutcome& outcome, const QString& name, const KeptReport& report)
 		{
 			const double                               limit_m = report::makeScene(reportInput(outcome, nullptr, {})).colorRange_m;
 			std::vector<std::unique_ptr<ccPointCloud>> copies;
@@ -143,13 +157,22 @@ namespace s2b
 				app.addToDB(copies[i].release(), false, true, false, false);
 				selection.clouds[i]->setEnabled(false);
 			}
-			if (tree && tree->getChildrenNumber())
+			ccHObject* validation = tree && tree->getChildrenNumber() ? tree.release() : nullptr; // the application's
+			if (validation)
 			{
-				tree->setDisplay_recursive(shown->getDisplay());
-				app.addToDB(tree.release(), false, true, false, false);
+				if (!report.temporary)
+					validation->setMetaData(kReportKey, QDir(report.folder).absolutePath());
+				validation->setDisplay_recursive(shown->getDisplay());
+				app.addToDB(validation, false, true, false, false);
 			}
 			if (selection.model)
 				selection.model->setEnabled(false);
+			if (validation)
+			{
+				auto* dock = S2BDock::of<S2BValidationDock>(app);
+				dock->setValidation(validation, report);
+				dock->offer();
+			}
 			app.refreshAll();
 			app.redrawAll();
 			app.updateUI();
@@ -192,6 +215,7 @@ namespace s2b
 			if (dialog.exec() != QDialog::Accepted)
 				return;
 			work.choice = dialog.choice();
+			work.report = reportOf(work.choice);
 
 			Building building;
 			if (selection.model)
@@ -217,7 +241,7 @@ namespace s2b
 			}
 			for (const QString& line : validationSummary(*outcome))
 				say(app, line);
-			showOutcome(app, selection, *outcome, work.name);
+			showOutcome(app, selection, *outcome, work.name, work.report);
 			if (work.choice.reportFolder.isEmpty())
 				return;
 			const QString page = QDir(work.choice.reportFolder).absoluteFilePath("report.html");

@@ -104,6 +104,7 @@ namespace s2b
 	{
 		const report::Scene scene = report::makeScene(reportInput(outcome, nullptr, {}));
 		auto                root  = std::make_unique<ccHObject>(name);
+		root->setMetaData(kValidationKey, name);
 		for (const StyleGroup& style : kGroups)
 		{
 			auto group = std::make_unique<ccHObject>(style.name);
@@ -132,5 +133,28 @@ namespace s2b
 			}
 		}
 		return root;
+	}
+
+	ccHObject* validationOf(const ccHObject::Container& selection)
+	{
+		if (selection.size() != 1)
+			return nullptr;
+		for (ccHObject* entity = selection.front(); entity; entity = entity->getParent())
+		{
+			if (entity->hasMetaData(kValidationKey))
+				return entity;
+		}
+		return nullptr;
+	}
+
+	QColor verdictColor(const ccHObject& element)
+	{
+		const QString group = element.getParent() ? element.getParent()->getName() : QString();
+		for (const StyleGroup& style : kGroups)
+		{
+			if (group.startsWith(style.name))
+				return {style.color.r, style.color.g, style.color.b};
+		}
+		return Qt::gray;
 	}
 } // namespace s2b

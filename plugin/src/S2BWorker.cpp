@@ -4,6 +4,7 @@
 #include "S2BInput.h"
 #include "S2BReconstructDlg.h"
 #include "S2BRun.h"
+#include "S2BSummary.h"
 #include "core/base/error.h"
 
 #include <QEventLoop>
@@ -13,10 +14,31 @@
 #include <ccMainAppInterface.h>
 #include <ccProgressDialog.h>
 #include <exception>
+#include <map>
 #include <stop_token>
 
 namespace s2b
 {
+	namespace
+	{
+		// The core's names of its stages, in words for people who have never heard of them.
+		QString progressText(std::string_view stage)
+		{
+			static const std::map<QString, QString> kTexts{
+			    {"Clutter", "Leaving out the surroundings"},
+			    {"Surface cells", "Sorting the points into surface cells"},
+			    {"Building frame", "Finding the directions of the walls"},
+			    {"Levels", "Finding floors and ceilings"},
+			    {"Rooms", "Dividing the plans into rooms"},
+			    {"Slabs", "Outlines of the slabs"},
+			    {"Spaces", "Rooms as spaces"},
+			};
+			const QString text  = QString::fromUtf8(stage.data(), static_cast<int>(stage.size()));
+			const auto    known = kTexts.find(text);
+			return known == kTexts.end() ? text : known->second;
+		}
+	} // namespace
+
 	bool runInBackground(ccMainAppInterface& app, Context context, const std::function<void(const Context&)>& work)
 	{
 		ccProgressDialog progress(true, app.getMainWindow());
@@ -38,7 +60,7 @@ namespace s2b
 		context.cancel   = stop.get_token();
 		context.progress = [&progress](std::string_view text, double fraction)
 		{
-			const QString line    = QString::fromUtf8(text.data(), static_cast<int>(text.size()));
+			const QString line    = progressText(text);
 			const int     percent = static_cast<int>(100.0 * fraction);
 			QMetaObject::invokeMethod(
 			    &progress, [&progress, line, percent]
@@ -89,7 +111,7 @@ namespace s2b
 		return isDone;
 	}
 
-	std::optional<Building> reconstructInBackground(const Input& input, const RunChoice& choice, const QString& projectName, ccMainAppInterface& app)
+	std::optional<Building> reconstructInBackground(const std::vector<const ccPointCloud*>& clouds, const RunChoice& choice, const QString& projectName, ccMainAppInterface& app)
 	{
 		Context context;
 		context.threads = choice.threads;
@@ -97,6 +119,14 @@ namespace s2b
 		std::optional<Building> building;
 		runInBackground(app, context, [&](const Context& running)
 		                {
+			                running.report("Reading the points and their labels", 0.0);
+			                const Input input = makeInput(clouds, choice.labels, {}, running);
+			                if (!input.warning.isEmpty())
+				                running.say(LogLevel::Warning, input.warning.toStdString());
+			                if (!input.labelField.isEmpty())
+				                running.say(LogLevel::Info, labelSummary(input, QString::fromStdString(choice.labels.map.name)).toStdString());
+			                if (!input.stationText.isEmpty())
+				                running.say(LogLevel::Info, input.stationText.toStdString());
 			                Building result = reconstruct(input.view, choice.pipeline, running);
 			                running.report("Writing the IFC file", 1.0);
 			                if (!choice.ifcPath.isEmpty())

@@ -4,11 +4,62 @@
 #include "S2BActions.h"
 #include "S2BCommand.h"
 #include "S2BEditPanel.h"
+#include "S2BFindings.h"
+#include "S2BFindingsDock.h"
+#include "S2BFloorPlan.h"
+#include "S2BHelp.h"
 #include "S2BTreeUpdate.h"
+#include "S2BValidationDock.h"
+#include "S2BValidationTree.h"
+#include "S2BView.h"
 
 #include <QAction>
 #include <QMainWindow>
+#include <QTimer>
 #include <ccMainAppInterface.h>
+
+namespace
+{
+	//! One entry of the menu and button of the toolbar
+	struct ActionInfo
+	{
+		const char* name; //!< object name, "S2B." before it
+		const char* icon; //!< images/<icon>.png
+		const char* text;
+		const char* toolTip;
+		void (*trigger)(ccMainAppInterface&);
+		bool (*fits)(const ccHObject::Container&); //!< whether it can do something with the selection
+	};
+
+	bool always(const ccHObject::Container&)
+	{
+		return true;
+	}
+
+	void showFindings(ccMainAppInterface& app)
+	{
+		auto* dock = S2BDock::of<S2BFindingsDock>(app);
+		if (const ccHObject* model = s2b::modelOf(app.getSelectedEntities()))
+			dock->setSubject(model);
+		dock->present();
+	}
+
+	void showValidation(ccMainAppInterface& app)
+	{
+		auto* dock = S2BDock::of<S2BValidationDock>(app);
+		if (const ccHObject* validation = s2b::validationOf(app.getSelectedEntities()))
+			dock->setSubject(validation);
+		dock->present();
+	}
+
+	// The last ones of the menu, in its order.
+	const std::vector<ActionInfo> kTools{
+	    {"Findings", "findings", "Findings", "The list of what was uncertain in the selected model: a click takes the camera there", showFindings, always},
+	    {"ValidationTable", "validation_table", "Validation table", "The list of a validation's elements with their errors: a click selects and zooms", showValidation, always},
+	    {"FloorPlan", "floor_plan", "Floor plan", "The selected storey from above, cut 1.2 m above its floor; once more goes back", s2b::toggleFloorPlan, s2b::canToggleFloorPlan},
+	    {"Help", "help", "Help", "From scan to IFC in ten minutes, every parameter, conventions and limits", s2b::showHelp, always},
+	};
+} // namespace
 
 qScanToBim::qScanToBim(QObject* parent)
     : QObject(parent)
@@ -50,7 +101,9 @@ QList<QAction*> qScanToBim::getActions()
 	}
 	if (m_stages.isEmpty())
 		m_stages = makeStageActions();
-	return QList<QAction*>{m_reconstruct, m_segment} + m_stages + QList<QAction*>{m_edit, m_translucent, m_exportIfc, m_validate};
+	if (m_tools.isEmpty())
+		m_tools = makeTools();
+	return QList<QAction*>{m_reconstruct, m_segment} + m_stages + QList<QAction*>{m_edit, m_translucent, m_exportIfc, m_validate} + m_tools;
 }
 
 QList<QAction*> qScanToBim::makeStageActions()
@@ -105,6 +158,22 @@ QList<QAction*> qScanToBim::makeStageActions()
 	return actions;
 }
 
+QList<QAction*> qScanToBim::makeTools()
+{
+	QList<QAction*> actions;
+	for (const ActionInfo& info : kTools)
+	{
+		auto* action = new QAction(QIcon(QString(":/CC/plugin/qScanToBim/images/%1.png").arg(info.icon)), tr(info.text), this);
+		action->setObjectName(QString("S2B.") + info.name);
+		action->setToolTip(tr(info.toolTip));
+		action->setEnabled(info.fits({}));
+		connect(action, &QAction::triggered, this, [this, &info]
+		        { info.trigger(*m_app); });
+		actions << action;
+	}
+	return actions;
+}
+
 void qScanToBim::onNewSelection(const ccHObject::Container& selectedEntities)
 {
 	if (m_reconstruct)
@@ -125,6 +194,23 @@ void qScanToBim::onNewSelection(const ccHObject::Container& selectedEntities)
 		m_exportIfc->setEnabled(s2b::modelOf(selectedEntities) != nullptr);
 	if (m_validate)
 		m_validate->setEnabled(!s2b::validationSelection(selectedEntities).isEmpty());
+	for (int i = 0; i < m_tools.size(); ++i)
+		m_tools[i]->setEnabled(kTools[static_cast<std::size_t>(i)].fits(selectedEntities));
+	if (!m_app || !m_app->getMainWindow())
+		return;
+	// The lists follow the selection, and a finding's label takes the camera to it. Not within the signal: CloudCompare is
+	// still busy with the selection.
+	if (const ccHObject* model = s2b::modelOf(selectedEntities))
+		S2BDock::of<S2BFindingsDock>(*m_app)->setSubject(model);
+	if (const ccHObject* validation = s2b::validationOf(selectedEntities))
+		S2BDock::of<S2BValidationDock>(*m_app)->setSubject(validation);
+	if (const ccHObject* label = s2b::findingOf(selectedEntities))
+	{
+		QTimer::singleShot(0, this, [this, id = label->getUniqueID()]
+		                   {
+			                   if (ccHObject* finding = s2b::findEntity(*m_app, id))
+				                   s2b::showFinding(*m_app, *finding); });
+	}
 }
 
 void qScanToBim::registerCommands(ccCommandLineInterface* cmd)

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """CloudCompare's window under a virtual display: what a user sees and does."""
 import json
-import os
 import shutil
 import subprocess
 import sys
@@ -12,50 +11,7 @@ import ifcopenshell.util.placement
 import numpy as np
 import pytest
 
-from conftest import environment, make_survey, write_ply
-
-
-@pytest.fixture(scope="module")
-def display():
-    """A virtual screen of its own."""
-    read, write = os.pipe()
-    process = subprocess.Popen([os.environ["S2B_TEST_XVFB"], "-displayfd", str(write), "-screen", "0", "1400x900x24", "-nolisten", "tcp"],
-                               pass_fds=[write], stdin=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    os.close(write)
-    number = os.read(read, 16).decode().strip()
-    assert number, "Xvfb did not start"
-    yield ":" + number
-    process.terminate()
-    process.wait()
-
-
-@pytest.fixture
-def to_bin(cloudcompare, tmp_path):
-    """CloudCompare's own format opens without a question."""
-
-    def convert(path):
-        run = cloudcompare("-NO_TIMESTAMP", "-C_EXPORT_FMT", "BIN", "-O", path, "-SAVE_CLOUDS", "FILE", tmp_path / "scan.bin")
-        assert run.rc == 0
-        return tmp_path / "scan.bin"
-
-    return convert
-
-
-@pytest.fixture
-def window(display, tmp_path, output):
-    """Runs one scenario of the driver plugin in the window."""
-
-    def run(scenario, path, **more):
-        env = environment(tmp_path / "home", DISPLAY=display, QT_QPA_PLATFORM="xcb", S2B_DRIVER_SCENARIO=scenario, S2B_DRIVER_OUTPUT=str(output),
-                          S2B_PLAIN_DIALOGS="1", **more)
-        env["CC_PLUGIN_PATH"] += ":" + os.environ["S2B_TEST_DRIVER"]
-        process = subprocess.run([os.environ["S2B_TEST_CLOUDCOMPARE"], ":start-plugin:S2B_window_driver", str(path)], cwd=tmp_path, env=env,
-                                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300)
-        print(process.stdout)
-        assert process.returncode == 0, "\n".join(line for line in process.stdout.splitlines() if line.startswith(("FAIL", "ok")))
-        return process.stdout
-
-    return run
+from conftest import make_survey, write_ply
 
 
 def test_reconstruct_look_correct_export(window, to_bin, survey, output):

@@ -59,6 +59,12 @@ void Driver::shoot(const QString& name)
     m_app.getMainWindow()->screen()->grabWindow(0).save(output(name + ".png"));
 }
 
+void Driver::shoot(QWidget* widget, const QString& name)
+{
+    QTest::qWait(300);
+    widget->grab().save(output(name + ".png"));
+}
+
 QMenu* Driver::pluginsMenu()
 {
     return subMenu(m_app.getMainWindow()->menuBar()->actions(), "Plugins");
@@ -167,13 +173,15 @@ void Driver::press(QWidget* dialog, QDialogButtonBox::StandardButton button)
     QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(button), Qt::LeftButton);
 }
 
-void Driver::reconstructQuietly()
+void Driver::reconstructQuietly(const std::function<void(QWidget*)>& prepare)
 {
     select(cloud());
     whenShown("S2BReconstructDlg",
-              [this](QWidget* dialog)
+              [this, prepare](QWidget* dialog)
               {
                   dialog->findChild<QCheckBox*>("writeIfc")->setChecked(false);
+                  if (prepare)
+                      prepare(dialog);
                   press(dialog, QDialogButtonBox::Ok);
               });
     action("S2B.Reconstruct")->trigger();
@@ -222,4 +230,38 @@ void Driver::pick(ccHObject* entity, const CCVector3& point)
 {
     m_app.pickingHub()->processPickedItem(entity, 0, 0, 0, point, {});
     QTest::qWait(100);
+}
+
+void Driver::cancel(QWidget* progress, ProcessorTime& sinceCancel)
+{
+    sinceCancel.start();
+    QTest::mouseClick(progress->findChild<QPushButton*>(), Qt::LeftButton);
+}
+
+void Driver::checkCancelled(const ProcessorTime& sinceCancel, const QString& when)
+{
+    constexpr qint64 kPromise_ms = 500;
+    constexpr qint64 kWaited_ms = 20000;                                      // on a busy machine
+    const qint64 slowdown = qEnvironmentVariableIsSet("LD_PRELOAD") ? 5 : 1;  // with sanitizers, as everything
+    if (!sinceCancel.isRunning())
+        return check(false, "cancelled " + when);
+    const qint64 busy_ms = sinceCancel.busiest_ms();
+    const qint64 passed_ms = sinceCancel.elapsed_ms();
+    check(busy_ms < slowdown * kPromise_ms && passed_ms < kWaited_ms,
+          QString("cancelled %1: ended after %2 ms of work, %3 ms later").arg(when).arg(busy_ms).arg(passed_ms));
+}
+
+QWidget* Driver::shown(const QString& name)
+{
+    for (QWidget* widget : QApplication::allWidgets())
+    {
+        if (widget->objectName() == name && widget->isVisible())
+            return widget;
+    }
+    return nullptr;
+}
+
+bool Driver::waitFor(const std::function<bool()>& condition, int timeout_ms)
+{
+    return QTest::qWaitFor(condition, timeout_ms);
 }

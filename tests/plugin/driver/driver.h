@@ -22,6 +22,7 @@
 #include <QPushButton>
 #include <QRadioButton>
 #include <QTabWidget>
+#include <QTableWidget>
 #include <QTimer>
 #include <QTreeWidget>
 #include <QtTest/QTest>
@@ -39,7 +40,7 @@
 #include <ccPointCloud.h>
 #include <ccScalarField.h>
 
-inline constexpr int kCancel_ms = 500;  // the promise to the user
+#include "processor_time.h"
 
 class Driver : public QObject
 {
@@ -56,6 +57,8 @@ public:
     [[nodiscard]] QString output(const QString& file) const;
     /// The whole screen, as an artefact.
     void shoot(const QString& name);
+    /// One window or list, as an artefact.
+    void shoot(QWidget* widget, const QString& name);
 
     [[nodiscard]] QMenu* pluginsMenu();  ///< Plugins
     [[nodiscard]] QMenu* menu();         ///< Plugins > Scan to BIM
@@ -89,11 +92,11 @@ public:
     void selectBoth();
 
     /// Runs `inside` as soon as a modal widget with that name, or of that class, is there, as a user would.
-    void whenShown(const QString& name, const std::function<void(QWidget*)>& inside, int tries = 100);
+    void whenShown(const QString& name, const std::function<void(QWidget*)>& inside, int tries = 600);
     void press(QWidget* dialog, QDialogButtonBox::StandardButton button);
 
-    /// With the dialog's defaults and without a file.
-    void reconstructQuietly();
+    /// With the dialog's defaults and without a file; `prepare` may change the dialog first.
+    void reconstructQuietly(const std::function<void(QWidget*)>& prepare = {});
     /// Selects the model and exports it; false when no file was written.
     bool exportModel(const QString& file);
     /// Closes the message that is to come and gives what it said, once it did.
@@ -103,6 +106,16 @@ public:
     void applyTransformation(ccHObject* entity, const ccGLMatrix& matrix);
     /// Picks a point as a click in the 3D view would.
     void pick(ccHObject* entity, const CCVector3& point);
+
+    /// Presses the button of the progress that is shown, and has the time until the end of the run measured.
+    void cancel(QWidget* progress, ProcessorTime& sinceCancel);
+    /// Whether the promise was kept: half a second from the click to the end.
+    void checkCancelled(const ProcessorTime& sinceCancel, const QString& when);
+
+    /// A window or a dock that is not modal; null where there is none.
+    [[nodiscard]] QWidget* shown(const QString& name);
+    /// Waits for something to become true while the window goes on.
+    bool waitFor(const std::function<bool()>& condition, int timeout_ms = 60000);
 
 private:
     ccMainAppInterface& m_app;

@@ -6,6 +6,8 @@
 // S2B_DRIVER_SCENARIO says what to do, S2B_DRIVER_OUTPUT where the screenshots go.
 #include "driver.h"
 
+#include <QToolBar>
+
 #include <memory>
 
 #include <ccStdPluginInterface.h>
@@ -44,6 +46,23 @@ public:
 private:
     void finish() { QCoreApplication::exit(m_driver->failures() ? 1 : 0); }
 
+    /// What is not CloudCompare's or ours, or of this machine, has no place on a picture.
+    void tidyUp()
+    {
+        for (auto* bar : m_app->getMainWindow()->findChildren<QToolBar*>())
+        {
+            for (QAction* action : bar->actions())
+            {
+                if (action->text() == getName())
+                    bar->removeAction(action);
+            }
+            if (bar->actions().isEmpty())
+                bar->hide();
+        }
+        if (ccPointCloud* cloud = m_driver->cloud())
+            cloud->getParent()->setName("scan.bin");
+    }
+
     void run()
     {
         Driver& driver = *m_driver;
@@ -55,6 +74,7 @@ private:
         }
         m_app->getMainWindow()->resize(1400, 900);
         m_app->getMainWindow()->move(0, 0);
+        tidyUp();
         const Scenario::Function scenario = Scenario::find(qEnvironmentVariable("S2B_DRIVER_SCENARIO"));
         driver.check(driver.cloud() != nullptr, "the cloud is open");
         driver.check(driver.menu() != nullptr, "Plugins > Scan to BIM is there");

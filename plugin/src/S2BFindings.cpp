@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "S2BFindings.h"
+
+#include "S2BSummary.h"
+#include "S2BView.h"
+
+#include <algorithm>
+#include <cc2DLabel.h>
+#include <ccMainAppInterface.h>
+#include <ccPointCloud.h>
+
+namespace s2b
+{
+	namespace
+	{
+		constexpr double  kAround_m        = 2.5; // shown around a finding
+		constexpr float   kMarkerScale     = 0.4F;
+		constexpr float   kLabelX          = 0.06F; // of the view, where an open label's text is
+		constexpr float   kLabelY          = 0.12F;
+		const char* const kSeverityNames[] = {"Info", "Warning", "Error"};
+
+		QVariantMap metaData(const Building& building, const Diagnostic& diagnostic)
+		{
+			QVariantMap map;
+			map[kFindingKey] = QString::fromStdString(diagnostic.code);
+			map["Severity"]  = kSeverityNames[static_cast<int>(diagnostic.severity)];
+			map["Stage"]     = QString::fromStdString(diagnostic.stage);
+			map["Text"]      = QString::fromStdString(diagnostic.text);
+			if (const QString element = elementName(building, diagnostic.element); !element.isEmpty())
+				map["Element"] = element;
+			return map;
+		}
+	} // namespace
+
+	QString findingTitle(const QString& code)
+	{
+		QString title;
+		for (const QChar c : code)
+		{
+			if (c.isUpper() && !title.isEmpty())
+				title += ' ';
+			title += title.isEmpty() ? c : c.toLower();
+		}
+		return title;
+	}
+
+	Eigen::Vector3d placeOf(const Building& building, const Diagnostic& diagnostic)
+	{
+		Eigen::Vector3d place = diagnostic.location;
+		if (!place.head<2>().isZero())
+			return place;
+		Eigen::AlignedBox2d plan;
+		for (const Wall& wall : building.walls)
+			plan.extend(wall.start).extend(wall.end);
+		for (const Column& column : building.columns)
+			plan.extend(column.center);
+		if (!plan.isEmpty())
+			place.head<2>() = plan.center();
+		return place;
+	}
+
+	std::unique_ptr<ccHObject> makeFindings(const Building& building, const ccShiftedObject& reference)
+	{
+		std::vector<const Diagnostic*> sorted;
+		for (const Diagnostic& diagnostic : building.diagnostics)
+			sorted.push_back(&diagnostic);
+		if (sorted.empty())
+			return {};
+		std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic* a, const Diagnostic* b)
+		                 { return a->severity > b->severity; });
+
+		// A label points at a point of a cloud: theirs is one of their own.
+		auto places = std::make_unique<ccPointCloud>("places");
+		if (!places->reserve(static_cast<unsigned>(sorted.size())))
+			throw std::bad_alloc();
+		for (const Diagnostic* diagnostic : sorted)
+		{
+			const Eigen::Vector3d world = building.frame.toWorld(placeOf(building, *diagnostic));
+			places->addPoint(reference.toLocal3d(CCVector3d(world.x(), world.y(), world.z())).toPC());
+		}
+		places->copyGlobalShiftAndScale(reference);
+		places->setVisible(false); // the labels' own marks are enough
+		auto group = std::make_unique<ccHObject>(QString("Findings (%1)").arg(sorted.size()));
+		for (std::size_t i = 0; i < sorted.size(); ++i)
+		{
+			auto*             label = new cc2DLabel; // the cloud's, as its child
+			const QVariantMap map   = metaData(building, *sorted[i]);
+			const QString     title = findingTitle(map[kFindingKey].toString());
+			label->addPickedPoint(places.get(), static_cast<unsigned>(i));
+			label->setName(map.contains("Element") ? QString("%1: %2").arg(title, map["Element"].toString()) : title);
+			label->setMetaData(map);
+			label->setDisplayedIn2D(false);
+			label->displayPointLegend(false);
+			label->setRelativeMarkerScale(kMarkerScale);
+			label->setPosition(kLabelX, kLabelY);
+			label->setCollapsed(true);
+			label->setVisible(true);
+			label->setEnabled(sorted[i]->severity != Severity::Info);
+			places->addChild(label);
+		}
+		group->addChild(places.release());
+		return group;
+	}
+
+	std::vector<Finding> findingsIn(const ccHObject& tree)
+	{
+		std::vector<Finding> findings;
+		ccHObject::Container labels;
+		tree.filterChildren(labels, true, CC_TYPES::LABEL_2D, true);
+		for (ccHObject* entity : labels)
+		{
+			const auto* label = static_cast<cc2DLabel*>(entity);
+			if (!label->hasMetaData(kFindingKey) || label->size() == 0)
+				continue;
+			Finding       finding;
+			const QString severity = label->getMetaData("Severity").toString();
+			finding.severity       = severity == kSeverityNames[2] ? Severity::Error : severity == kSeverityNames[1] ? Severity::Warning
+			                                                                                                         : Severity::Info;
+			finding.id             = label->getUniqueID();
+			finding.title          = findingTitle(label->getMetaData(kFindingKey).toString());
+			finding.stage          = label->getMetaData("Stage").toString();
+			finding.text           = label->getMetaData("Text").toString();
+			finding.element        = label->getMetaData("Element").toString();
+			finding.place          = label->getPickedPoint(0).getPointPosition();
+			findings.push_back(finding);
+		}
+		return findings;
+	}
+
+	ccHObject* findingOf(const ccHObject::Container& selection)
+	{
+		const bool isOne = selection.size() == 1 && selection.front() && selection.front()->isA(CC_TYPES::LABEL_2D);
+		return isOne && selection.front()->hasMetaData(kFindingKey) ? selection.front() : nullptr;
+	}
+
+	void showFinding(ccMainAppInterface& app, ccHObject& entity)
+	{
+		auto& label = static_cast<cc2DLabel&>(entity);
+		if (label.size() == 0)
+			return;
+		ccHObject::Container labels;
+		app.dbRootObject()->filterChildren(labels, true, CC_TYPES::LABEL_2D, true);
+		for (ccHObject* other : labels)
+		{
+			if (other->hasMetaData(kFindingKey))
+				static_cast<cc2DLabel*>(other)->displayPointLegend(false);
+		}
+		label.setEnabled(true);
+		label.displayPointLegend(true);
+		const auto* places = static_cast<const ccShiftedObject*>(label.getPickedPoint(0).cloudOrVertices());
+		lookAt(app, label.getPickedPoint(0).getPointPosition(), kAround_m * places->getGlobalScale());
+	}
+} // namespace s2b

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "S2BFloorPlan.h"
+
+#include "S2BActions.h"
+#include "S2BBuildingText.h"
+#include "S2BEntities.h"
+#include "S2BView.h"
+
+#include <ccGLWindowInterface.h>
+#include <ccMainAppInterface.h>
+#include <ccMesh.h>
+#include <ccPointCloud.h>
+#include <cmath>
+#include <optional>
+
+namespace s2b
+{
+	namespace
+	{
+		constexpr double kBelow_m = 0.4; // under the floor, so that its slab is seen and the storey below is not
+
+		//! Where to cut, in the entities' own coordinates
+		struct Cut
+		{
+			unsigned model = 0; //!< unique id
+			QString  storey;
+			double   low     = 0.0;
+			double   high    = 0.0;
+			double   yaw_rad = 0.0;
+			ccBBox   box;
+		};
+
+		//! What the plan changed, to be put back
+		struct Plan
+		{
+			Cut                   cut;
+			ccGLWindowInterface*  view = nullptr; //!< only compared with the active one
+			ccViewportParameters  before;
+			std::vector<unsigned> clipped; //!< unique ids
+		};
+		std::optional<Plan> currentPlan;
+
+		// The storey that a selected entity belongs to, by the group below the model that it is in.
+		const Storey* storeyOf(const Building& building, const ccHObject& model, const ccHObject* entity)
+		{
+			while (entity && entity->getParent() != &model)
+				entity = entity->getParent();
+			for (const Storey& storey : building.storeys)
+			{
+				if (entity && entity->getName() == QString::fromStdString(storey.name))
+					return &storey;
+			}
+			return building.storeys.empty() ? nullptr : &building.storeys.front();
+		}
+
+		const ccShiftedObject* referenceOf(ccHObject& model)
+		{
+			ccHObject::Container meshes;
+			model.filterChildren(meshes, true, CC_TYPES::MESH, true);
+			return meshes.empty() ? nullptr : static_cast<ccMesh*>(meshes.front());
+		}
+
+		std::optional<Cut> cutOfModel(ccHObject& model, const ccHObject* selected)
+		{
+			const Building         building  = parseBuilding(model.getMetaData(kBuildingKey).toMap().value("text").toString());
+			const Storey*          storey    = storeyOf(building, model, selected);
+			const ccShiftedObject* reference = referenceOf(model);
+			if (!storey || !reference)
+				return {};
+			const auto toLocalZ = [&](double z_m)
+			{
+				const Eigen::Vector3d world = building.frame.toWorld({0.0, 0.0, z_m});
+				return reference->toLocal3d(CCVector3d(world.x(), world.y(), world.z())).z;
+			};
+			Cut cut;
+			cut.model   = model.getUniqueID();
+			cut.storey  = QString::fromStdString(storey->name);
+			cut.low     = toLocalZ(storey->elevation_m - kBelow_m);
+			cut.high    = toLocalZ(storey->elevation_m + kPlanCut_m);
+			cut.yaw_rad = building.frame.yaw_rad;
+			cut.box     = model.getDisplayBB_recursive(false);
+			return cut;
+		}
+
+		// Of a cloud alone: above its lowest points.
+		Cut cutOfCloud(ccPointCloud& cloud)
+		{
+			Cut cut;
+			cut.box    = cloud.getOwnBB();
+			cut.model  = cloud.getUniqueID();
+			cut.storey = cloud.getName();
+			cut.low    = cut.box.minCorner().z;
+			cut.high   = cut.low + kPlanCut_m * cloud.getGlobalScale();
+			return cut;
+		}
+
+		void clipAll(ccMainAppInterface& app, Plan& plan)
+		{
+			ccHObject::Container all;
+			app.dbRootObject()->filterChildren(all, true);
+			for (ccHObject* entity : all)
+			{
+				if (!entity->isKindOf(CC_TYPES::POINT_CLOUD) && !entity->isKindOf(CC_TYPES::MESH) && !entity->isKindOf(CC_TYPES::POLY_LINE))
+					continue;
+				ccClipPlane below;
+				below.equation = Tuple4Tpl<double>(0.0, 0.0, -1.0, plan.cut.high);
+				ccClipPlane above;
+				above.equation = Tuple4Tpl<double>(0.0, 0.0, 1.0, -plan.cut.low);
+				entity->addClipPlanes(below);
+				entity->addClipPlanes(above);
+				plan.clipped.push_back(entity->getUniqueID());
+			}
+		}
+
+		void unclipAll(ccMainAppInterface& app, const Plan& plan)
+		{
+			for (const unsigned id : plan.clipped)
+			{
+				if (ccHObject* entity = findEntity(app, id))
+					entity->removeAllClipPlanes();
+			}
+		}
+
+		void lookFromAbove(ccGLWindowInterface& view, const Cut& cut)
+		{
+			view.setPerspectiveState(false, true);
+			view.setCustomView(CCVector3d(0, 0, -1), CCVector3d(-std::sin(cut.yaw_rad), std::cos(cut.yaw_rad), 0), false);
+			view.updateConstellationCenterAndZoom(&cut.box);
+			view.redraw();
+		}
+
+		std::optional<Cut> cutOf(const ccHObject::Container& selection)
+		{
+			if (ccHObject* model = modelOf(selection))
+				return cutOfModel(*model, selection.front());
+			const std::vector<ccPointCloud*> clouds = cloudsOf(selection);
+			return clouds.empty() ? std::nullopt : std::optional<Cut>(cutOfCloud(*clouds.front()));
+		}
+	} // namespace
+
+	bool canToggleFloorPlan(const ccHObject::Container& selection)
+	{
+		return currentPlan || modelOf(selection) || !cloudsOf(selection).empty();
+	}
+
+	void toggleFloorPlan(ccMainAppInterface& app)
+	{
+		ccGLWindowInterface*     view = app.getActiveGLWindow();
+		const std::optional<Cut> next = cutOf(app.getSelectedEntities());
+		std::optional<Plan>      last = std::exchange(currentPlan, std::nullopt);
+		if (last)
+			unclipAll(app, *last);
+		const bool isAnother = last && next && (last->cut.storey != next->storey || last->cut.model != next->model);
+		if (view && next && (!last || isAnother))
+		{
+			Plan plan;
+			plan.cut    = *next;
+			plan.view   = view;
+			plan.before = last && last->view == view ? last->before : view->getViewportParameters();
+			clipAll(app, plan);
+			lookFromAbove(*view, plan.cut);
+			say(app, QString("floor plan of %1, cut %2 m above its floor; choose Floor plan again to go back").arg(plan.cut.storey).arg(kPlanCut_m));
+			currentPlan = std::move(plan);
+		}
+		else if (view && last && last->view == view)
+		{
+			view->setViewportParameters(last->before);
+			view->redraw();
+		}
+		app.redrawAll();
+	}
+} // namespace s2b
