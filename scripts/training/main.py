@@ -16,7 +16,7 @@ import evaluate
 import fit
 
 SHIPPED = pathlib.Path(__file__).resolve().parents[2] / "core" / "segmentation" / "model.onnx"
-QUICK = {"surveys": 4, "steps": 60, "held_out": 1}
+QUICK = {"surveys": 4, "steps": 120, "held_out": 1}
 FULL = {"surveys": 120, "steps": 6000, "held_out": 8}
 
 
@@ -92,7 +92,7 @@ def export(network, path, note):
     print(f"written to {path}")
 
 
-QUICK_FIT = {"size": 48, "cells": 3000}
+QUICK_FIT = {"size": 48, "cells": 2000, "batch_size": 2}
 
 
 def parse():
