@@ -160,8 +160,7 @@ private:
         if (m_options.stages.contains(Stage::Walls))
         {
             options.stages = {Stage::Walls};
-            takeWalls(runStorey(cells,
-                                {level, storey.id, storey.name, nullptr, from, from + share, {}, &m_sightlines},
+            takeWalls(runStorey(cells, {level, storey.id, storey.name, nullptr, from, from + share, {}, &m_sightlines},
                                 options, m_nextId, m_context),
                       storey);
             given.clear();

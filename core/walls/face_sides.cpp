@@ -45,7 +45,8 @@ void findSides(std::vector<Face>& faces, const PlanMask& mask, double sameOffset
         if (faces[i].scannedSide != 0)
         {
             faces[i].side = faces[i].scannedSide;
-            faces[i].isBesideRoom = isSure[i] = true;
+            faces[i].isBesideRoom = true;
+            isSure[i] = 1;
             continue;
         }
         Side best = roomSide(faces[i], mask, faces[i].isLow ? PlanMask::Floor : main);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// s2b_quality SCAN.laz TRUTH --mode given|degraded|geometry|segmented --ifc OUT.ifc --json OUT.json: one survey in one mode, as
-/// scripts/bench quality runs it: reconstructed, written, read back, scored, and drawn storey by storey.
+/// s2b_quality SCAN.laz TRUTH --mode given|degraded|geometry|segmented --ifc OUT.ifc --json OUT.json: one survey in one
+/// mode, as scripts/bench quality runs it: reconstructed, written, read back, scored, and drawn storey by storey.
 #include "core/pipeline/pipeline.h"
 #include "core/report/html.h"
 #include "core/report/plan_view.h"
@@ -175,7 +175,8 @@ Json run(const Options& o)
 {
     std::vector<std::array<std::uint8_t, 3>> colours;
     std::vector<std::uint16_t> sources;
-    PointCloud cloud = readLaz(o.cloud, o.mode == "segmented" ? &colours : nullptr, o.stations.empty() ? nullptr : &sources);
+    PointCloud cloud =
+        readLaz(o.cloud, o.mode == "segmented" ? &colours : nullptr, o.stations.empty() ? nullptr : &sources);
     if (cloud.points.empty())
         throw Error(ErrorCode::EmptyCloud, o.cloud + " has no points");
     if (o.mode == "degraded")
