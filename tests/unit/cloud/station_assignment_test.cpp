@@ -88,7 +88,9 @@ TEST(HiddenShare, TellsMixedUpIdsFromRightOnes)
     std::fill(swapped.begin(), swapped.begin() + static_cast<std::ptrdiff_t>(first), std::uint16_t{1});
     CloudView view = cloud.view();
     view.stations.ofPoint = swapped.data();
-    EXPECT_GT(hiddenShare(view, Context{}), 0.9);
+    // All but what lies within the reach of a slant ray's own surface (0.4 m): the partition's faces and strips beside
+    // it.
+    EXPECT_GT(hiddenShare(view, Context{}), 0.75);
     view.stations = {};
     EXPECT_EQ(hiddenShare(view, Context{}), 0.0);
 }

@@ -17,7 +17,7 @@ using test::RoomGaps;
 using test::storeyOf;
 
 // Edges of holes are read off points 2 cm apart, sorted into cells of 2 cm.
-constexpr double kEdge_m = 0.02;
+constexpr double kEdge_m = 0.02 + 1e-9;  // a cell, and its rounding
 
 /// Two rooms of 4 m by 3 m with a partition of 0.2 m at x = 4 ... 4.2, and a hole in it: [y, y + width] x [sill, head].
 struct HoleInPartition

@@ -132,11 +132,13 @@ TEST(Stations, TellACeilingFromAFloor)
 
 TEST(Stations, ThatContradictEachOtherDecideNothing)
 {
-    // Half of each cell's points claim to be measured from behind the wall.
+    // Half of each cell's points claim to be measured from the mirrored place behind the wall.
     HandMadeCloud cloud = hallWithHiddenEdges();
-    cloud.standAt({-30, -30, 1.5});
     for (const double x : {0.0, 6.0})
+    {
+        cloud.standAt({2 * x - 3, 2.5, 1.5});
         cloud.wallFace({x, 0}, {x, 5}, 0, 2.6);
+    }
     const auto result = storeyOf(cloud);
     EXPECT_EQ(wallThrough(result.walls.walls, {-0.1, 2.5}, kAlongY), nullptr);
 }
