@@ -19,7 +19,7 @@ def scan_of_hall(columns=900, rows=360):
     a, e = np.meshgrid(azimuth, elevation, indexing="ij")
     ray = np.stack([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)], -1).reshape(-1, 3)
     with np.errstate(divide="ignore"):
-        to_planes = np.where(ray > 0, (SIZE - STATION) / ray, -STATION / ray)
+        to_planes = np.where(ray > 0, (SIZE - STATION) / ray, np.where(ray < 0, -STATION / ray, np.inf))
     hit = ray * to_planes.min(axis=1)[:, None]
     place = hit + STATION
     level = (to_planes.argmin(axis=1) == 2)
@@ -29,7 +29,7 @@ def scan_of_hall(columns=900, rows=360):
 
 
 def write_ptx(path, hit, columns, rows, shift=(0, 0, 0)):
-    x, y, z = STATION + shift
+    x, y, z = (STATION + shift).tolist()
     head = "%d\n%d\n%r %r %r\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n%r %r %r 1\n" % (columns, rows, x, y, z, x, y, z)
     path.write_text(head + "".join("%.4f %.4f %.4f 0.5\n" % tuple(p) for p in hit))
     return path
