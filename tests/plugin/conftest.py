@@ -130,6 +130,7 @@ def window(display, tmp_path, output):
     """Runs one scenario of the driver plugin in the window."""
 
     def run(scenario, path, **more):
+        (output / "small.ifc").unlink(missing_ok=True)  # the name that Export proposes: a file of another test is asked about
         env = environment(tmp_path / "home", DISPLAY=display, QT_QPA_PLATFORM="xcb", S2B_DRIVER_SCENARIO=scenario, S2B_DRIVER_OUTPUT=str(output),
                           S2B_PLAIN_DIALOGS="1", **more)
         env["CC_PLUGIN_PATH"] += ":" + os.environ["S2B_TEST_DRIVER"]
