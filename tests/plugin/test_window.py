@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """CloudCompare's window under a virtual display: what a user sees and does."""
 import json
+import os
+import re
 import shutil
 import subprocess
 import sys
@@ -56,7 +58,8 @@ def test_validate_shows_verdicts_and_deviations(window, to_bin, survey, tmp_path
 
 
 def number(said, key):
-    return int(said.split(key + " ")[-1].split()[0])
+    """What a line of its own says: "walls 12"."""
+    return int(re.findall(rf"^{key} (\d+)$", said, re.MULTILINE)[-1])
 
 
 def walls_of(path):
