@@ -11,6 +11,7 @@ namespace
 
 constexpr int kUnits = 4096;      // positions within a cell, as whole numbers
 constexpr int kViewUnits = 1024;  // unit vectors, as whole numbers
+constexpr int kLeastShare = 102;  // of 255, that a model's class needs to count
 
 /// To the nearest whole number, halves away from zero.
 std::int32_t nearest(double v)
@@ -81,7 +82,8 @@ void CellGatherer::addPoints(std::uint32_t block, const Eigen::Vector3i& firstCe
         sums.square[4] += y * z;
         sums.square[5] += z * z;
         if (m_cloud.labels)
-            ++sums.votes[std::min<std::size_t>(m_cloud.labels[i], kLabelCount - 1)];
+            sums.votes[std::min<std::size_t>(m_cloud.labels[i], kLabelCount - 1)] +=
+                m_cloud.confidence ? m_cloud.confidence[i] : 1u;
         if (!m_cloud.stations.empty())
             addView(i, sums);
     }
@@ -103,7 +105,10 @@ Moments CellGatherer::momentsOf(const Sums& sums) const
     {
         const auto best = std::max_element(sums.votes.begin(), sums.votes.end());
         m.label = static_cast<Label>(best - sums.votes.begin());
-        m.labelShare = static_cast<std::uint8_t>(255.0 * *best / sums.count);
+        m.labelShare = static_cast<std::uint8_t>((m_cloud.confidence ? 1.0 : 255.0) * *best / sums.count);
+        // A guess that is not sure says nothing: geometry alone decides.
+        if (m_cloud.confidence && m.labelShare < kLeastShare)
+            m.label = Label::Unassigned;
     }
     for (std::size_t a = 0; a < 3 && sums.viewed > 0; ++a)
         m.view[a] = static_cast<std::int8_t>(

@@ -57,6 +57,8 @@ struct CloudView
     const std::uint8_t* rgb = nullptr;     ///< red, green, blue of the first point; null without colours
     std::size_t rgbStride = 3;             ///< bytes from one point's colour to the next one's
     StationView stations{};                ///< empty when nothing is known of them
+    /// How sure each label is, 0..255; null for labels that were given and not guessed by a model.
+    const std::uint8_t* confidence = nullptr;
 };
 
 }  // namespace s2b

@@ -206,7 +206,7 @@ SurfaceCells SurfaceCells::empty() const
 {
     SurfaceCells none;
     none.size_m = size_m, none.spacing_m = spacing_m;
-    none.hasLabels = hasLabels, none.hasStations = hasStations;
+    none.hasLabels = hasLabels, none.hasGuesses = hasGuesses, none.hasStations = hasStations;
     return none;
 }
 
@@ -235,6 +235,7 @@ SurfaceCells buildSurfaceCells(const CloudView& cloud, const KeptRegion& region,
     SurfaceCells result;
     result.hasLabels = cloud.labels != nullptr;
     result.hasStations = !cloud.stations.empty();
+    result.hasGuesses = result.hasLabels && cloud.confidence != nullptr;
     result.spacing_m = estimateSpacing(cloud, blocks);
     const int cellsPerBlock = cellsPerBlockOf(result.spacing_m, params);
     result.size_m = kBlock_m / cellsPerBlock;

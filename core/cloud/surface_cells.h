@@ -30,7 +30,7 @@ struct SurfaceCell
     float flatness = 0.0f;            ///< RMS distance [m] of the neighbourhood's points from the plane
     std::uint32_t count = 0;          ///< points in the cell
     Label label = Label::Unassigned;  ///< the most frequent label
-    std::uint8_t labelShare = 0;      ///< its share, 0..255
+    std::uint8_t labelShare = 0;      ///< its share, 0..255; of a model's labels weighed by how sure they are
     bool facesScanner = false;        ///< the normal points to where it was seen from; else its sign is undecided
 };
 
@@ -40,6 +40,7 @@ struct SurfaceCells
     double spacing_m = 0.0;  ///< typical point spacing of the cloud
     bool hasLabels = false;
     bool hasStations = false;  ///< some cells face the scanner
+    bool hasGuesses = false;   ///< the labels are a model's, and shares of them say how sure it is
     std::vector<SurfaceCell> cells;
 
     /// Where the cells are sorted by layers of a metre: the first one's lower edge [m], each layer's first cell, and

@@ -109,7 +109,7 @@ OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, co
             add(h,
                 leaf.leafState == LeafState::Open || isEmptyDoor(h, params) ? OpeningKind::Door : OpeningKind::Plain);
         }
-        if (!cells.hasLabels)
+        if (!cells.hasLabels || cells.hasGuesses)
             for (const Hole& h : recessedHoles(view, taken, params.minimumWindowWidth_m,
                                                params.maximumDoorWidth_m + 2.0, params.minimumWindowHeight_m))
                 if (std::none_of(taken.begin(), taken.end(), [&](const Hole& k) { return k.overlaps(h); }))

@@ -31,8 +31,10 @@ WallView viewWall(const Wall& wall, const SurfaceCells& cells, const CellIndex& 
                        return;
                    const Eigen::Vector2d m = c.normal.head<2>().cast<double>();
                    const Eigen::Vector2d t = axis.direction(s), n = axis.normal(s);
+                   // What a model does not know is wall until a hole is seen in it.
+                   const Label label = cells.hasGuesses && c.label == Label::Unassigned ? Label::Wall : c.label;
                    view.points.push_back({s, d, z, std::abs(t.dot(m)), std::abs(n.dot(m)),
-                                          std::abs(static_cast<double>(c.normal.z())), c.label, c.count});
+                                          std::abs(static_cast<double>(c.normal.z())), label, c.count});
                });
     return view;
 }

@@ -68,7 +68,12 @@ double wallWeight(const SurfaceCells& cells, const SurfaceCell& cell)
 {
     if (!cells.hasLabels)
         return 1.0;
-    return cell.label == Label::Wall ? 1.0 : 0.0;
+    if (!cells.hasGuesses)
+        return cell.label == Label::Wall ? 1.0 : 0.0;
+    // A model's labels count as much as they are sure; where it does not know, as much as not.
+    if (cell.label == Label::Wall)
+        return cell.labelShare / 255.0;
+    return cell.label == Label::Unassigned ? 0.5 : 0.0;
 }
 
 std::vector<AxisSet> sortByAxis(const SurfaceCells& cells, const Level& level, const WallParams& params)

@@ -111,7 +111,7 @@ std::vector<Face> gather(const std::vector<FaceLine>& lines, const SurfaceCells&
             continue;
         const double d = f.n().dot(p) - f.offset, n = c.count;
         s.w += n, s.d += n * d, s.dd += n * d * d, s.cells += 1;
-        s.wall += c.label == Label::Wall ? 1 : 0;
+        s.wall += cells.hasGuesses ? weight : c.label == Label::Wall ? 1 : 0;
         if (c.facesScanner)
             (f.n().dot(c.normal.head<2>().cast<double>()) > 0 ? s.left : s.right) += 1;
         f.points += c.count;

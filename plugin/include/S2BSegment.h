@@ -26,7 +26,7 @@ namespace s2b
 	//! "4 classes (floor, ceiling, wall, furniture), cells of 3 cm, 12 features, uses colours where there are any"
 	QString modelText(const OnnxModel& model);
 
-	//! Labels the input's points: its labels are then the model's
+	//! Labels the input's points: its labels are then the model's, weighed by their confidence
 	/** \throws Error, Cancelled as segment() does; the input is unchanged then **/
 	void segmentInput(Input& input, const OnnxModel& model, const Context& context);
 

@@ -172,7 +172,8 @@ namespace s2b
 					confidence.push_back(static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(std::isnan(value) ? 0.0 : value, 0.0, 1.0))));
 				}
 			}
-			input.ownConfidence = std::move(confidence);
+			input.ownConfidence   = std::move(confidence);
+			input.view.confidence = input.ownConfidence.data();
 		}
 
 		// A single cloud's colours are read in place, as its points are.

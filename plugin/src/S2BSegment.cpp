@@ -133,6 +133,7 @@ namespace s2b
 		input.labelField          = QFileInfo(QString::fromStdString(model.name())).fileName();
 		input.warning             = QString();
 		input.view.labels         = input.ownLabels.data();
+		input.view.confidence     = input.ownConfidence.data();
 	}
 
 	QString segmentationText(const Input& input)

@@ -205,6 +205,7 @@ Json run(const Options& o)
         segmentation = segment(view, model, {}, context);
         labels = labelsJson(view, segmentation, seconds() - start);
         view.labels = segmentation.labels.data();
+        view.confidence = segmentation.confidence.data();
     }
     const double start = seconds();
     const Building building = reconstruct(view, pipeline, context);

@@ -128,6 +128,30 @@ TEST(SurfaceCells, TakeTheMostFrequentLabelAndItsShare)
     EXPECT_EQ(cellsOf(cloud, false).cells[0].label, Label::Unassigned);
 }
 
+TEST(SurfaceCells, WeighTheLabelsOfAModelByItsConfidence)
+{
+    HandMadeCloud cloud;
+    for (int i = 0; i < 3; ++i)
+        cloud.point({0.011, 0.011, 0.011}, Label::Window);
+    for (int i = 0; i < 2; ++i)
+        cloud.point({0.009, 0.009, 0.009}, Label::Wall);
+    const auto cellOf = [&](const std::vector<std::uint8_t>& confidence)
+    {
+        CloudView view = cloud.view();
+        view.confidence = confidence.data();
+        const SurfaceCells cells = buildSurfaceCells(view, {}, {}, {});
+        EXPECT_TRUE(cells.hasLabels && cells.hasGuesses);
+        return cells.cells.at(0);
+    };
+    EXPECT_FALSE(cellsOf(cloud).hasGuesses);
+    EXPECT_EQ(cellOf({255, 255, 255, 255, 255}).label, Label::Window);
+    EXPECT_EQ(cellOf({255, 255, 255, 255, 255}).labelShare, 255 * 3 / 5) << "the same as of given labels";
+    EXPECT_EQ(cellOf({100, 100, 100, 255, 255}).label, Label::Wall);
+    EXPECT_EQ(cellOf({100, 100, 100, 255, 255}).labelShare, 255 * 2 / 5);
+    EXPECT_EQ(cellOf({100, 100, 100, 100, 100}).label, Label::Unassigned) << "nobody is sure";
+    EXPECT_EQ(cellOf({0, 0, 0, 0, 0}).label, Label::Unassigned);
+}
+
 TEST(SurfaceCells, DoNotDependOnThePointsOrder)
 {
     HandMadeCloud cloud = noisyRoom();
