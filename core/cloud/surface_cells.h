@@ -48,6 +48,8 @@ struct SurfaceCells
     double lowestLayer_m = 0.0;
     std::vector<std::size_t> firstOfLayer;
 
+    /// Whether labels are taken at their word, and not as one opinion beside the geometry's.
+    [[nodiscard]] bool labelsAreSure() const { return hasLabels && !hasGuesses; }
     /// Without any cells, all else the same.
     [[nodiscard]] SurfaceCells empty() const;
     /// Those between two heights and some around, as far as the layers tell; all without layers.

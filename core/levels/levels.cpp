@@ -34,12 +34,6 @@ struct Pair
     bool ceilingLevel = false;
 };
 
-/// A model tells floors from ground and furniture no better than what lies above them does.
-bool trustsLabels(const SurfaceCells& cells)
-{
-    return cells.hasLabels && !cells.hasGuesses;
-}
-
 bool sameColumn(const Surface& a, const Surface& b)
 {
     return a.x == b.x && a.y == b.y;
@@ -63,15 +57,17 @@ std::vector<Surface> surfacesByColumn(const SurfaceCells& cells)
         // A sloped ceiling is still a surface; foliage is not.
         if (nz < 0.35 || (nz < 0.95 && static_cast<double>(c.flatness) > 0.45 * cells.size_m))
             continue;
-        if (trustsLabels(cells) && (c.label == Label::Furniture || c.label == Label::Stair || c.label == Label::Door ||
-                                    c.label == Label::Window || c.label == Label::Wall || c.label == Label::Column))
+        // A model tells floors from ground and furniture no better than what lies above them does.
+        if (cells.labelsAreSure() &&
+            (c.label == Label::Furniture || c.label == Label::Stair || c.label == Label::Door ||
+             c.label == Label::Window || c.label == Label::Wall || c.label == Label::Column))
             continue;
         Surface s;
         s.x = static_cast<std::int32_t>(std::floor(static_cast<double>(c.position.x()) / column));
         s.y = static_cast<std::int32_t>(std::floor(static_cast<double>(c.position.y()) / column));
         s.z = static_cast<double>(c.position.z());
         s.isLevel = nz > 0.95;
-        if (trustsLabels(cells))
+        if (cells.labelsAreSure())
         {
             s.maybeFloor = c.label == Label::Floor;
             s.maybeCeiling = c.label == Label::Ceiling || c.label == Label::Roof || c.label == Label::Beam;
@@ -192,7 +188,7 @@ double topOfVerticalSurfaces(const SurfaceCells& cells, double floor, double lim
     std::vector<float> z;
     for (const SurfaceCell& c : cells.cells)
         if (!c.normal.isZero() && std::abs(c.normal.z()) < 0.3f && c.position.z() > floor && c.position.z() < limit &&
-            (!trustsLabels(cells) || c.label == Label::Wall))
+            (!cells.labelsAreSure() || c.label == Label::Wall))
             z.push_back(c.position.z());
     if (z.empty())
         return std::min(limit, floor + 2.5);
@@ -274,7 +270,7 @@ LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, con
     // A floor lies under a ceiling for the most part; terrain does so only under trees and eaves. Of two floors close
     // to each other the covered one counts.
     std::vector<Peak> peaks = peaksOf(floors, 0.12);
-    if (!trustsLabels(cells))
+    if (!cells.labelsAreSure())
         std::erase_if(peaks, [&](const Peak& p) { return p.area < 0.3 * (p.area + openFloors.areaNear(p.z, 0.05)); });
     const std::vector<Peak> allFloors = peaks;
     std::vector<Peak> apart;
@@ -295,7 +291,7 @@ LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, con
     };
     for (const Peak& p : openPeaks)
     {
-        if ((!trustsLabels(cells) && largestPaired >= params.minimumArea_m2 && !isUpperFloor(p)) ||
+        if ((!cells.labelsAreSure() && largestPaired >= params.minimumArea_m2 && !isUpperFloor(p)) ||
             p.area < params.minimumArea_m2)
             continue;
         const auto same =
@@ -358,7 +354,7 @@ LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, con
         {
             Level& below = result.levels.back();
             const bool coincide = below.ceilingSeen && std::abs(level.floor_m - below.ceiling_m) < kMergeZ_m;
-            const bool isItsCeiling = coincide && (trustsLabels(cells) || hasFloorAbove(allFloors, p));
+            const bool isItsCeiling = coincide && (cells.labelsAreSure() || hasFloorAbove(allFloors, p));
             if (coincide && !isItsCeiling)  // a ceiling that was not scanned: what is above the floor is the next floor
                 below.ceilingSeen = false, below.ceilings.clear(), below.ceilingArea_m2 = 0;
             const bool standsInIt =

@@ -35,6 +35,13 @@ Opening openingOf(const Hole& h, OpeningKind kind, const Wall& wall)
     return o;
 }
 
+/// From the floor up and as large as doors are: glazed or not, one can go through it.
+bool isDoorShaped(const Hole& h, const OpeningParams& params)
+{
+    return h.bottom < 0.04 && h.top > params.minimumEmptyDoorHeight_m && h.top < params.maximumEmptyDoorHeight_m &&
+           h.width() < 2.2 && h.width() > 0.7 * params.minimumDoorWidth_m;  // a leaf is narrower than its hole
+}
+
 }  // namespace
 
 OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, const Level& level,
@@ -85,7 +92,7 @@ OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, co
             for (const Hole& h : labelledHoles(view, OpeningKind::Window, windowRadius, params.maximumDoorWidth_m))
                 if (h.width() >= params.minimumWindowWidth_m && h.height() >= params.minimumWindowHeight_m &&
                     static_cast<double>(h.points) > 20)
-                    add(h, OpeningKind::Window);
+                    add(h, cells.hasGuesses && isDoorShaped(h, params) ? OpeningKind::Door : OpeningKind::Window);
         }
         const WallAxis axis(wall);
         const auto floorSeen = [&](double from, double to)
@@ -113,12 +120,7 @@ OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, co
             for (const Hole& h : recessedHoles(view, taken, params.minimumWindowWidth_m,
                                                params.maximumDoorWidth_m + 2.0, params.minimumWindowHeight_m))
                 if (std::none_of(taken.begin(), taken.end(), [&](const Hole& k) { return k.overlaps(h); }))
-                    // A leaf is narrower than its hole.
-                    add(h, h.bottom < 0.04 && h.top > params.minimumEmptyDoorHeight_m &&
-                                   h.top < params.maximumEmptyDoorHeight_m && h.width() < 2.2 &&
-                                   h.width() > 0.7 * params.minimumDoorWidth_m
-                               ? OpeningKind::Door
-                               : OpeningKind::Window);
+                    add(h, isDoorShaped(h, params) ? OpeningKind::Door : OpeningKind::Window);
     }
     // One hole belongs to one wall: where two claim the same place, the one with more points has it.
     std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b)

@@ -5,6 +5,7 @@
 #include "core/cloud/clutter.h"
 #include "core/cloud/frame.h"
 #include "core/cloud/surface_cells.h"
+#include "core/segmentation/element_classes.h"
 #include "core/segmentation/inputs.h"
 #include "core/segmentation/passes.h"
 #include "core/segmentation/point_cells.h"
@@ -19,11 +20,6 @@ namespace
 {
 
 constexpr std::size_t kChunk = 1u << 16;
-
-struct CellClass
-{
-    std::uint8_t label = 0, confidence = 0;
-};
 
 /// The likeliest class of one row of scores. Columns that mean one class count together; of equally likely ones the
 /// first is taken.
@@ -43,7 +39,7 @@ CellClass classOf(const float* scores, const ModelContract& contract)
     const auto best = std::max_element(probability.begin(), probability.end());
     if (!(sum > 0.0) || !std::isfinite(sum))
         return {};
-    return {static_cast<std::uint8_t>(best - probability.begin()),
+    return {static_cast<Label>(best - probability.begin()),
             static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(*best / sum, 0.0, 1.0)))};
 }
 
@@ -99,7 +95,7 @@ Segmentation segment(const CloudView& cloud, const OnnxModel& model, const Segme
         total += pass.cells.size();
     const auto fraction = [&](double within, const SegmentPass& pass)
     {
-        return 0.3 + 0.65 * (static_cast<double>(done) + within * static_cast<double>(pass.cells.size())) /
+        return 0.3 + 0.6 * (static_cast<double>(done) + within * static_cast<double>(pass.cells.size())) /
                          static_cast<double>(total);
     };
     for (std::size_t k = 0; k < passes.size(); ++k)
@@ -116,6 +112,11 @@ Segmentation segment(const CloudView& cloud, const OnnxModel& model, const Segme
         done += pass.cells.size();
     }
 
+    if (params.settle)
+    {
+        context.report("Elements", 0.9);
+        settleByElements(cells, classes, context);
+    }
     context.report("Labels", 0.95);
     Segmentation result;
     result.labels.resize(cloud.count);
@@ -127,7 +128,7 @@ Segmentation segment(const CloudView& cloud, const OnnxModel& model, const Segme
                        {
                            const std::uint32_t cell = points.cellOfPoint[i];
                            const CellClass c = cell == PointCells::kNone ? CellClass{} : classes[cell];
-                           result.labels[i] = c.label;
+                           result.labels[i] = static_cast<std::uint8_t>(c.label);
                            result.confidence[i] = c.confidence;
                        }
                    });

@@ -26,6 +26,7 @@ struct SegmentParams
     std::size_t largestPass = 1500000;  ///< cells that the model sees at once; a larger storey is cut into tiles
     double largestTile_m = 48.0;        ///< a longer one too, however few its cells: a plan has pixels everywhere
     double overlap_m = 3.0;             ///< seen around a tile, and thrown away
+    bool settle = true;                 ///< classes and the building that they show correct each other
     bool operator==(const SegmentParams&) const = default;
 };
 

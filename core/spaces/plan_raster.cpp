@@ -105,7 +105,7 @@ PlanCells planCellsOf(const SurfaceCells& cells)
 {
     PlanCells result;
     result.size_m = cells.size_m;
-    result.hasLabels = cells.hasLabels;
+    result.hasLabels = cells.labelsAreSure();
     if (cells.cells.empty())
         return result;
     Eigen::Vector2f low = Eigen::Vector2f::Constant(std::numeric_limits<float>::infinity()), high = -low;

@@ -70,10 +70,20 @@ double wallWeight(const SurfaceCells& cells, const SurfaceCell& cell)
         return 1.0;
     if (!cells.hasGuesses)
         return cell.label == Label::Wall ? 1.0 : 0.0;
-    // A model's labels count as much as they are sure; where it does not know, as much as not.
-    if (cell.label == Label::Wall)
-        return cell.labelShare / 255.0;
-    return cell.label == Label::Unassigned ? 0.5 : 0.0;
+    // A model's labels count as much as they are sure. Where it does not know, or takes an upright surface for a part
+    // of floors and roofs, its shape decides.
+    switch (cell.label)
+    {
+        case Label::Wall:
+            return cell.labelShare / 255.0;
+        case Label::Column:
+        case Label::Door:
+        case Label::Window:
+        case Label::Furniture:
+            return 0.0;
+        default:
+            return 0.5;
+    }
 }
 
 std::vector<AxisSet> sortByAxis(const SurfaceCells& cells, const Level& level, const WallParams& params)

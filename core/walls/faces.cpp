@@ -98,7 +98,9 @@ std::vector<Face> gather(const std::vector<FaceLine>& lines, const SurfaceCells&
             z > level.highestCeiling_m() + 0.3)
             continue;
         const double weight = wallWeight(cells, c);
-        if (c.label == Label::Door || c.label == Label::Window)
+        // An open leaf that a model takes for wall in part is a leaf by the rest.
+        const bool isLeaf = cells.hasGuesses && c.label == Label::Door;
+        if ((c.label == Label::Door && !isLeaf) || c.label == Label::Window)
             continue;
         const Eigen::Vector2d p = c.position.head<2>().cast<double>();
         const int k = gatherer.nearest(lines, p, c.normal.head<2>().cast<double>());
@@ -167,6 +169,10 @@ bool isWallFace(const Face& face, const SurfaceCells& cells, const PlanMask& mas
     const bool reaches = reachesCeiling(face, mask);
     if (!cells.hasLabels)
         return reaches;
+    // A leaf that stands open looks like a piece of wall to a model; what is longer is a parapet.
+    constexpr double leaf_m = 1.3;
+    if (!reaches && cells.hasGuesses && face.length() < leaf_m)
+        return false;
     return reaches ? face.wallShare > 0.4 : face.wallShare > 0.8 && face.area_m2 > 0.4;
 }
 
@@ -242,7 +248,7 @@ std::vector<Face> findFaces(const SurfaceCells& cells, const Level& level, const
     findSides(faces, mask, params.mergeOffset_m);
     std::vector<Face> kept;
     for (const Face& f : faces)
-        if (!isRecessed(f, faces) && (cells.hasLabels || !isOutside(f, mask) || hasOtherSide(f, faces, params)))
+        if (!isRecessed(f, faces) && (cells.labelsAreSure() || !isOutside(f, mask) || hasOtherSide(f, faces, params)))
             kept.push_back(f);
     faces = std::move(kept);
     return faces;

@@ -17,8 +17,8 @@ std::uint8_t layerOf(const SurfaceCells& cells, const SurfaceCell& c, const Leve
     const double z = static_cast<double>(c.position.z());
     if (nz < 0.4 || z < level.floor_m - 0.15 || z > level.highestCeiling_m() + 0.4)
         return 0;
-    if (cells.hasLabels && (c.label == Label::Wall || c.label == Label::Window || c.label == Label::Door ||
-                            c.label == Label::Furniture || c.label == Label::Column))
+    if (cells.labelsAreSure() && (c.label == Label::Wall || c.label == Label::Window || c.label == Label::Door ||
+                                  c.label == Label::Furniture || c.label == Label::Column))
         return 0;
     const bool seenFromAbove = c.facesScanner && c.normal.z() > 0, seenFromBelow = c.facesScanner && c.normal.z() < 0;
     if (nz > 0.9 && std::abs(z - level.floor_m) < 0.10)

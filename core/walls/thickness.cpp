@@ -43,7 +43,7 @@ std::optional<double> revealDepth(const WallBody& body, const SurfaceCells& cell
         const double depth = sign * (n.dot(p) - face), s = body.t.dot(p);
         if (depth < 0.03 || depth > params.maximumThickness_m + further_m || s < body.begin + 0.1 || s > body.end - 0.1)
             return;
-        if (cells.hasLabels && c.label != Label::Window &&
+        if (cells.labelsAreSure() && c.label != Label::Window &&
             c.label != Label::Wall)  // a leaf may stand open beyond the wall
             return;
         // Surfaces across the wall: jambs, sills, heads; and window frames and panes whatever their direction.
@@ -173,7 +173,7 @@ void settleThickness(std::vector<WallBody>& bodies, const SurfaceCells& cells, c
     const double internalThickness = internal.empty() ? params.defaultThickness_m : weightedMedian(internal);
     // Without labels a reveal may end at a pane in the middle of the wall; an external wall is no thinner than the
     // others.
-    if (!cells.hasLabels && !internal.empty())
+    if (!cells.labelsAreSure() && !internal.empty())
     {
         deepest = std::max(deepest, internalThickness);
         for (WallBody* b : externalRevealed)

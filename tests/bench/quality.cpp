@@ -62,9 +62,11 @@ OnnxModel openModel(const Options& o)
 Json labelsJson(const CloudView& truth, const Segmentation& result, double seconds)
 {
     std::array<double, kLabelCount> both{}, either{}, there{};
+    std::array<std::array<std::size_t, kLabelCount>, kLabelCount> confusion{};
     for (std::size_t i = 0; i < truth.count; ++i)
     {
         const std::size_t a = truth.labels[i], b = result.labels[i];
+        ++confusion[a][b];
         if (a == static_cast<std::size_t>(Label::Unassigned))
             continue;
         ++there[a];
@@ -85,6 +87,7 @@ Json labelsJson(const CloudView& truth, const Segmentation& result, double secon
             sum += iou, classes += 1;
     }
     out["mean"] = classes > 0 ? Json(sum / classes) : Json(nullptr);
+    out["confusion"] = confusion;  // points, by the truth's class and the result's
     return out;
 }
 
