@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the end-to-end tests share: the real CloudCompare in a home of its own, and small surveys."""
 import os
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -19,11 +20,12 @@ class Run:
         self.ours = [line[len("[S2B] "):] for line in self.lines if line.startswith("[S2B] ")]
 
 
-@pytest.fixture(scope="session")
-def output():
-    """Artefacts that are kept: models and screenshots."""
-    folder = Path(os.environ["S2B_TEST_OUTPUT"])
-    folder.mkdir(parents=True, exist_ok=True)
+@pytest.fixture
+def output(request):
+    """Artefacts that are kept, models and screenshots: an empty folder for each test, named after it."""
+    folder = Path(os.environ["S2B_TEST_OUTPUT"]) / request.node.name.removeprefix("test_")
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
     return folder
 
 
@@ -130,7 +132,6 @@ def window(display, tmp_path, output):
     """Runs one scenario of the driver plugin in the window."""
 
     def run(scenario, path, **more):
-        (output / "small.ifc").unlink(missing_ok=True)  # the name that Export proposes: a file of another test is asked about
         env = environment(tmp_path / "home", DISPLAY=display, QT_QPA_PLATFORM="xcb", S2B_DRIVER_SCENARIO=scenario, S2B_DRIVER_OUTPUT=str(output),
                           S2B_PLAIN_DIALOGS="1", **more)
         env["CC_PLUGIN_PATH"] += ":" + os.environ["S2B_TEST_DRIVER"]
