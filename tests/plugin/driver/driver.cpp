@@ -28,6 +28,19 @@ QMenu* subMenu(const QList<QAction*>& actions, const QString& title)
     return nullptr;
 }
 
+/// Labels are shown there with more than their names: an entity is found by itself.
+QModelIndex findIn(const QAbstractItemModel& tree, const QModelIndex& parent, const ccHObject* entity)
+{
+    for (int row = 0; row < tree.rowCount(parent); ++row)
+    {
+        const QModelIndex index = tree.index(row, 0, parent);
+        const QModelIndex found = index.internalPointer() == entity ? index : findIn(tree, index, entity);
+        if (found.isValid())
+            return found;
+    }
+    return {};
+}
+
 }  // namespace
 
 Scenario::Scenario(const char* name, Function function)
@@ -130,6 +143,17 @@ void Driver::select(ccHObject* entity)
 {
     unselectAll();
     m_app.setSelectedInDB(entity, true);
+    QApplication::processEvents();
+}
+
+void Driver::clickInTree(ccHObject* entity)
+{
+    auto* view = m_app.getMainWindow()->findChild<QTreeView*>("dbTreeView");
+    const QModelIndex index = findIn(*view->model(), {}, entity);
+    if (!index.isValid())
+        return check(false, entity->getName() + " is in the tree");
+    view->scrollTo(index);
+    QTest::mouseClick(view->viewport(), Qt::LeftButton, Qt::NoModifier, view->visualRect(index).center());
     QApplication::processEvents();
 }
 

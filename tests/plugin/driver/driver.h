@@ -86,6 +86,8 @@ public:
 
     void unselectAll();
     void select(ccHObject* entity);
+    /// Selects as a user does, with the mouse in the DB tree.
+    void clickInTree(ccHObject* entity);
     /// Adds to the selection, with the control key held as it were.
     void selectToo(ccHObject* entity);
     /// The model and the cloud.
