@@ -3,6 +3,7 @@
 
 #include <QDockWidget>
 #include <QPointer>
+#include <vector>
 
 class QTimer;
 class ccHObject;
@@ -48,10 +49,11 @@ class S2BDock : public QDockWidget
 	ccMainAppInterface& m_app;
 
   private:
-	void countAndFill();
+	std::vector<unsigned> entitiesNow() const;
+	void                  fillAnew();
 
-	unsigned m_subject   = 0;
-	bool     m_wasClosed = false;
-	unsigned m_entities  = 0; //!< of the subject, when the list was filled
-	QTimer*  m_delay     = nullptr;
+	unsigned              m_subject   = 0;
+	bool                  m_wasClosed = false;
+	std::vector<unsigned> m_entities; //!< unique ids of the subject's, when the list was filled
+	QTimer*               m_delay = nullptr;
 };

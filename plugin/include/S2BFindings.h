@@ -16,6 +16,8 @@ namespace s2b
 {
 	//! The key under which a label keeps which diagnostic it is: its code
 	inline constexpr char kFindingKey[] = "S2B.Finding";
+	//! The key of the group
+	inline constexpr char kFindingsKey[] = "S2B.Findings";
 
 	//! "Thickness assumed" of "ThicknessAssumed"
 	QString findingTitle(const QString& code);
@@ -28,6 +30,14 @@ namespace s2b
 	    \param reference gives the global shift and scale
 	**/
 	std::unique_ptr<ccHObject> makeFindings(const Building& building, const ccShiftedObject& reference);
+
+	//! Brings the group of a model to its present diagnostics
+	/** Those that people took out of the tree stay out, and those that they hid or showed stay so. Without any difference
+	    nothing is touched.
+	    \param before    the building that the group was made of
+	    \param reference gives the global shift and scale
+	**/
+	void renewFindings(ccMainAppInterface& app, ccHObject& model, const Building& before, const Building& after, const ccShiftedObject& reference);
 
 	//! What the meta data of a label says
 	struct Finding

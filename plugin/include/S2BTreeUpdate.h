@@ -13,7 +13,7 @@ class ccMainAppInterface;
 namespace s2b
 {
 	//! Brings a model's group in the DB tree to another state; entities that show what they should stay as they are
-	/** What is hidden stays hidden, what is selected elsewhere selected.
+	/** What is hidden stays hidden, what is selected elsewhere selected. The findings are renewed, new ones are said.
 	    \param anew  elements whose entities are made anew in any case
 	**/
 	void updateTree(ccMainAppInterface& app, ccHObject& root, const Model& model, const std::set<ElementId>& anew = {});

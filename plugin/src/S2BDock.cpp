@@ -28,11 +28,8 @@ S2BDock::S2BDock(ccMainAppInterface& app, const QString& name, const QString& ti
 	m_delay->setInterval(0);
 	connect(m_delay, &QTimer::timeout, this, [this]
 	        {
-		        ccHObject::Container all;
-		        if (const ccHObject* group = subject())
-			        group->filterChildren(all, true);
-		        if (all.size() != m_entities)
-			        countAndFill(); });
+		        if (entitiesNow() != m_entities)
+			        fillAnew(); });
 	if (QAbstractItemModel* model = s2b::treeModel(app))
 	{
 		const auto later = [this]
@@ -49,7 +46,7 @@ void S2BDock::setSubject(const ccHObject* group)
 	if (id == m_subject)
 		return;
 	m_subject = id;
-	countAndFill();
+	fillAnew();
 }
 
 ccHObject* S2BDock::subject() const
@@ -57,12 +54,20 @@ ccHObject* S2BDock::subject() const
 	return m_subject ? s2b::findEntity(m_app, m_subject) : nullptr;
 }
 
-void S2BDock::countAndFill()
+std::vector<unsigned> S2BDock::entitiesNow() const
 {
 	ccHObject::Container all;
 	if (const ccHObject* group = subject())
 		group->filterChildren(all, true);
-	m_entities = static_cast<unsigned>(all.size());
+	std::vector<unsigned> ids;
+	for (const ccHObject* entity : all)
+		ids.push_back(entity->getUniqueID());
+	return ids;
+}
+
+void S2BDock::fillAnew()
+{
+	m_entities = entitiesNow();
 	fill();
 }
 

@@ -8,6 +8,8 @@
 #include <cc2DLabel.h>
 #include <ccMainAppInterface.h>
 #include <ccPointCloud.h>
+#include <map>
+#include <set>
 
 namespace s2b
 {
@@ -29,6 +31,41 @@ namespace s2b
 			if (const QString element = elementName(building, diagnostic.element); !element.isEmpty())
 				map["Element"] = element;
 			return map;
+		}
+
+		// What a label says, and of what; its place comes with the element.
+		QString identity(const QVariantMap& map)
+		{
+			return QStringList{map[kFindingKey].toString(), map["Stage"].toString(), map["Element"].toString(), map["Text"].toString()}.join('|');
+		}
+
+		std::vector<cc2DLabel*> labelsOf(const ccHObject& tree)
+		{
+			ccHObject::Container all;
+			tree.filterChildren(all, true, CC_TYPES::LABEL_2D, true);
+			std::vector<cc2DLabel*> labels;
+			for (ccHObject* entity : all)
+			{
+				if (entity->hasMetaData(kFindingKey))
+					labels.push_back(static_cast<cc2DLabel*>(entity));
+			}
+			return labels;
+		}
+
+		ccHObject* groupOf(const ccHObject& model)
+		{
+			for (unsigned i = 0; i < model.getChildrenNumber(); ++i)
+			{
+				if (model.getChild(i)->hasMetaData(kFindingsKey))
+					return model.getChild(i);
+			}
+			return nullptr;
+		}
+
+		bool isSame(const std::vector<cc2DLabel*>& a, const std::vector<cc2DLabel*>& b)
+		{
+			return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const cc2DLabel* x, const cc2DLabel* y)
+			                  { return x->metaData() == y->metaData() && x->size() && y->size() && (x->getPickedPoint(0).getPointPosition() - y->getPickedPoint(0).getPointPosition()).norm2() == 0; });
 		}
 	} // namespace
 
@@ -81,6 +118,7 @@ namespace s2b
 		places->copyGlobalShiftAndScale(reference);
 		places->setVisible(false); // the labels' own marks are enough
 		auto group = std::make_unique<ccHObject>(QString("Findings (%1)").arg(sorted.size()));
+		group->setMetaData(QString(kFindingsKey), static_cast<unsigned>(sorted.size()));
 		for (std::size_t i = 0; i < sorted.size(); ++i)
 		{
 			auto*             label = new cc2DLabel; // the cloud's, as its child
@@ -102,15 +140,50 @@ namespace s2b
 		return group;
 	}
 
+	void renewFindings(ccMainAppInterface& app, ccHObject& model, const Building& before, const Building& after, const ccShiftedObject& reference)
+	{
+		ccHObject*                    known = groupOf(model);
+		const std::vector<cc2DLabel*> shown = known ? labelsOf(*known) : std::vector<cc2DLabel*>();
+		std::map<QString, bool>       isEnabled;
+		for (const cc2DLabel* label : shown)
+			isEnabled[identity(label->metaData())] = label->isEnabled();
+		std::set<QString> dismissed;
+		for (const Diagnostic& diagnostic : before.diagnostics)
+		{
+			if (const QString id = identity(metaData(before, diagnostic)); !isEnabled.count(id))
+				dismissed.insert(id);
+		}
+		Building wanted = after;
+		std::erase_if(wanted.diagnostics, [&](const Diagnostic& diagnostic)
+		              { return dismissed.count(identity(metaData(after, diagnostic))) > 0; });
+
+		std::unique_ptr<ccHObject>    fresh  = makeFindings(wanted, reference);
+		const std::vector<cc2DLabel*> labels = fresh ? labelsOf(*fresh) : std::vector<cc2DLabel*>();
+		if (isSame(shown, labels))
+			return;
+		for (cc2DLabel* label : labels)
+		{
+			if (const auto now = isEnabled.find(identity(label->metaData())); now != isEnabled.end())
+				label->setEnabled(now->second);
+		}
+		if (known && fresh)
+			fresh->setEnabled(known->isEnabled());
+		if (known)
+			app.removeFromDB(known);
+		if (!fresh)
+			return;
+		ccHObject* group = fresh.release(); // the model's
+		model.addChild(group);
+		group->setDisplay_recursive(model.getDisplay());
+		app.addToDB(group, false, false, false, false);
+	}
+
 	std::vector<Finding> findingsIn(const ccHObject& tree)
 	{
 		std::vector<Finding> findings;
-		ccHObject::Container labels;
-		tree.filterChildren(labels, true, CC_TYPES::LABEL_2D, true);
-		for (ccHObject* entity : labels)
+		for (const cc2DLabel* label : labelsOf(tree))
 		{
-			const auto* label = static_cast<cc2DLabel*>(entity);
-			if (!label->hasMetaData(kFindingKey) || label->size() == 0)
+			if (label->size() == 0)
 				continue;
 			Finding       finding;
 			const QString severity = label->getMetaData("Severity").toString();
@@ -138,13 +211,8 @@ namespace s2b
 		auto& label = static_cast<cc2DLabel&>(entity);
 		if (label.size() == 0)
 			return;
-		ccHObject::Container labels;
-		app.dbRootObject()->filterChildren(labels, true, CC_TYPES::LABEL_2D, true);
-		for (ccHObject* other : labels)
-		{
-			if (other->hasMetaData(kFindingKey))
-				static_cast<cc2DLabel*>(other)->displayPointLegend(false);
-		}
+		for (cc2DLabel* other : labelsOf(*app.dbRootObject()))
+			other->displayPointLegend(false);
 		label.setEnabled(true);
 		label.displayPointLegend(true);
 		const auto* places = static_cast<const ccShiftedObject*>(label.getPickedPoint(0).cloudOrVertices());

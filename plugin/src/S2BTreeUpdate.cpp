@@ -3,6 +3,7 @@
 
 #include "S2BActions.h"
 #include "S2BEntities.h"
+#include "S2BFindings.h"
 #include "S2BModel.h"
 #include "S2BSummary.h"
 #include "core/corrections/same.h"
@@ -196,12 +197,16 @@ namespace s2b
 		const QVariantList  known = root.getMetaData(kPlanKey).toList();
 		if (known.size() == 4)
 			plan = Eigen::AlignedBox2d(Eigen::Vector2d(known[0].toDouble(), known[1].toDouble()), Eigen::Vector2d(known[2].toDouble(), known[3].toDouble()));
-		const std::unique_ptr<ccHObject> fresh = makeTree(model, *referenceOf(root), root.getName(), plan);
+		const Building                   before    = storedModel(root).corrected;
+		const auto                       reference = referenceOf(root);
+		const std::unique_ptr<ccHObject> fresh     = makeTree(model, *reference, root.getName(), plan);
 		replaceEntities(app, root, *fresh, anew);
 		removeEmptyGroups(app, root, *fresh);
 		for (const char* key : {kShiftKey, kPlanKey, kBodilessKey})
 			root.setMetaData(QString(key), fresh->getMetaData(key));
+		renewFindings(app, root, before, model.corrected, *reference);
 		storeModel(root, model);
+		sayNewDiagnostics(app, before, model.corrected);
 		setTranslucent(root, isTranslucent(root));
 		root.prepareDisplayForRefresh_recursive();
 		app.refreshAll();
@@ -212,13 +217,11 @@ namespace s2b
 	{
 		try
 		{
-			const Building      before = storedModel(root).corrected;
-			const ModelState    state  = readModel(root, unmoved);
-			const Model         model  = change(state.model);
-			std::set<ElementId> anew   = state.moved;
+			const ModelState    state = readModel(root, unmoved);
+			const Model         model = change(state.model);
+			std::set<ElementId> anew  = state.moved;
 			anew.insert(unmoved.begin(), unmoved.end());
 			updateTree(app, root, model, anew);
-			sayNewDiagnostics(app, before, model.corrected);
 			return {};
 		}
 		catch (const std::exception& e)
