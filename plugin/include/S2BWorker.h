@@ -14,6 +14,8 @@ class ccPointCloud;
 
 namespace s2b
 {
+	struct Input;
+	struct LabelChoice;
 	struct RunChoice;
 
 	//! Runs some work in a worker thread behind a progress dialog with a cancel button
@@ -23,6 +25,9 @@ namespace s2b
 	    \throws what the work throws, but Cancelled
 	**/
 	bool runInBackground(ccMainAppInterface& app, Context context, const std::function<void(const Context&)>& work);
+
+	//! Within some work: makeInput(), which takes its time with millions of points, and what it found said in the console
+	Input readClouds(const std::vector<const ccPointCloud*>& clouds, const LabelChoice& labels, const Context& running);
 
 	//! Reads the clouds, reconstructs, and writes the IFC if asked, in the background
 	/** What the labels are, and why there are none, is said in the console.

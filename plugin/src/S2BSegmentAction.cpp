@@ -27,9 +27,11 @@ namespace s2b
 			if (dialog.exec() != QDialog::Accepted)
 				return;
 
-			Input      input  = makeInput({clouds.begin(), clouds.end()}, {false, {}, {}});
+			Input      input;
 			const bool isDone = runInBackground(app, {}, [&](const Context& context)
-			                                    { segmentInput(input, openModel(dialog.modelPath(), context.threads), context); });
+			                                    {
+				                                    input = readClouds({clouds.begin(), clouds.end()}, {false, {}, {}}, context);
+				                                    segmentInput(input, openModel(dialog.modelPath(), context.threads), context); });
 			if (!isDone)
 			{
 				say(app, "cancelled, nothing was changed");

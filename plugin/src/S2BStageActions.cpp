@@ -66,7 +66,7 @@ namespace s2b
 			return stages;
 		}
 
-		std::optional<Model> runInWorker(ccMainAppInterface& app, const Input& input, const RunChoice& choice, const std::optional<Model>& earlier, ElementId storey)
+		std::optional<Model> runInWorker(ccMainAppInterface& app, const StageSelection& selection, const RunChoice& choice, const std::optional<Model>& earlier)
 		{
 			Context context;
 			context.threads = choice.threads;
@@ -74,6 +74,8 @@ namespace s2b
 			std::optional<Model> result;
 			runInBackground(app, context, [&](const Context& running)
 			                {
+				                const Input     input  = readClouds({selection.clouds.begin(), selection.clouds.end()}, choice.labels, running);
+				                const ElementId storey = selection.storey;
 				                if (earlier)
 					                result = reconstructFrom(input.view, choice.pipeline, *earlier, storey.value ? std::optional(storey) : std::nullopt, running);
 				                else
@@ -96,12 +98,8 @@ namespace s2b
 				earlier          = std::move(state.model);
 				moved            = std::move(state.moved);
 			}
-			choice.pipeline.stages = earlier ? stagesFor(stages, *earlier) : stagesFromNothing(stages);
-			const Input input      = makeInput({selection.clouds.begin(), selection.clouds.end()}, choice.labels);
-			if (!input.warning.isEmpty())
-				say(app, input.warning, true);
-
-			const std::optional<Model> result = runInWorker(app, input, choice, earlier, selection.storey);
+			choice.pipeline.stages            = earlier ? stagesFor(stages, *earlier) : stagesFromNothing(stages);
+			const std::optional<Model> result = runInWorker(app, selection, choice, earlier);
 			if (!result)
 				return say(app, "cancelled, nothing was changed");
 			for (const QString& line : summary(result->corrected))

@@ -11,7 +11,6 @@
 #include "core/base/error.h"
 #include "core/report/scene.h"
 
-#include <QApplication>
 #include <QDesktopServices>
 #include <QDir>
 #include <QFile>
@@ -31,29 +30,19 @@ namespace s2b
 		constexpr double kCompared = 0.9;
 
 		// Labels tell furniture from walls; without usable ones the geometry alone does.
-		Input readClouds(ccMainAppInterface& app, const std::vector<ccPointCloud*>& clouds)
+		Input readWithUsableLabels(const std::vector<ccPointCloud*>& clouds, const Context& running)
 		{
-			struct WaitCursor
-			{
-				WaitCursor()
-				{
-					QApplication::setOverrideCursor(Qt::WaitCursor);
-				}
-				~WaitCursor()
-				{
-					QApplication::restoreOverrideCursor();
-				}
-			} const waiting;
+			const std::vector<const ccPointCloud*> all(clouds.begin(), clouds.end());
 			try
 			{
-				return makeInput({clouds.begin(), clouds.end()}, {true, {}, builtInLabelMap("s2b")});
+				return readClouds(all, {true, {}, builtInLabelMap("s2b")}, running);
 			}
 			catch (const Error& e)
 			{
 				if (e.code() != ErrorCode::BadLabels)
 					throw;
-				say(app, QString("the labels are not used: %1").arg(QString::fromUtf8(e.what())), true);
-				return makeInput({clouds.begin(), clouds.end()}, {false, {}, {}});
+				running.say(LogLevel::Warning, std::string("the labels are not used: ") + e.what());
+				return readClouds(all, {false, {}, {}}, running);
 			}
 		}
 
@@ -73,17 +62,17 @@ namespace s2b
 
 		struct Work
 		{
-			ValidationChoice  choice;
-			QString           name; //!< of what is validated
-			const CloudView*  cloud    = nullptr;
-			const Building*   building = nullptr;
-			QString           cloudName;
-			KeptReport        report; //!< where it is written
-			ValidationOutcome compare(const Context& context) const;
+			ValidationChoice choice;
+			QString          name; //!< of what is validated
+			const Building*  building = nullptr;
+			QString          cloudName;
+			KeptReport       report; //!< where it is written
+			//! Runs in the worker
+			ValidationOutcome compare(const CloudView* cloud, const Context& context) const;
 		};
 
-		// Runs in the worker. The model is written and read back: what is measured is what everybody else will read.
-		ValidationOutcome Work::compare(const Context& context) const
+		// The model is written and read back: what is measured is what everybody else will read.
+		ValidationOutcome Work::compare(const CloudView* cloud, const Context& context) const
 		{
 			context.report("Reading the models", 0.0);
 			std::optional<Eigen::Vector3d> near;
@@ -223,17 +212,11 @@ namespace s2b
 				building      = correctedModel(*selection.model);
 				work.building = &building;
 			}
-			Input input;
-			if (!selection.clouds.empty())
-			{
-				input      = readClouds(app, selection.clouds);
-				work.cloud = &input.view;
-			}
-			if (!work.building && !work.cloud)
-				return;
 			std::optional<ValidationOutcome> outcome;
 			const bool                       isDone = runInBackground(app, {}, [&](const Context& context)
-                                                { outcome = work.compare(context); });
+                                                {
+				                                                const std::optional<Input> input = selection.clouds.empty() ? std::nullopt : std::optional(readWithUsableLabels(selection.clouds, context));
+				                                                outcome                          = work.compare(input ? &input->view : nullptr, context); });
 			if (!isDone || !outcome)
 			{
 				say(app, "cancelled, nothing was changed");

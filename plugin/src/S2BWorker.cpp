@@ -111,6 +111,19 @@ namespace s2b
 		return isDone;
 	}
 
+	Input readClouds(const std::vector<const ccPointCloud*>& clouds, const LabelChoice& labels, const Context& running)
+	{
+		running.report(labels.use ? "Reading the points and their labels" : "Reading the points", 0.0);
+		Input input = makeInput(clouds, labels, {}, running);
+		if (!input.warning.isEmpty())
+			running.say(LogLevel::Warning, input.warning.toStdString());
+		if (!input.labelField.isEmpty())
+			running.say(LogLevel::Info, labelSummary(input, QString::fromStdString(labels.map.name)).toStdString());
+		if (!input.stationText.isEmpty())
+			running.say(LogLevel::Info, input.stationText.toStdString());
+		return input;
+	}
+
 	std::optional<Building> reconstructInBackground(const std::vector<const ccPointCloud*>& clouds, const RunChoice& choice, const QString& projectName, ccMainAppInterface& app)
 	{
 		Context context;
@@ -119,15 +132,8 @@ namespace s2b
 		std::optional<Building> building;
 		runInBackground(app, context, [&](const Context& running)
 		                {
-			                running.report("Reading the points and their labels", 0.0);
-			                const Input input = makeInput(clouds, choice.labels, {}, running);
-			                if (!input.warning.isEmpty())
-				                running.say(LogLevel::Warning, input.warning.toStdString());
-			                if (!input.labelField.isEmpty())
-				                running.say(LogLevel::Info, labelSummary(input, QString::fromStdString(choice.labels.map.name)).toStdString());
-			                if (!input.stationText.isEmpty())
-				                running.say(LogLevel::Info, input.stationText.toStdString());
-			                Building result = reconstruct(input.view, choice.pipeline, running);
+			                const Input input  = readClouds(clouds, choice.labels, running);
+			                Building    result = reconstruct(input.view, choice.pipeline, running);
 			                running.report("Writing the IFC file", 1.0);
 			                if (!choice.ifcPath.isEmpty())
 				                writeModel(result, choice.ifcPath, writeOptions(choice.pipeline, choice.seed, projectName, choice.schema));
