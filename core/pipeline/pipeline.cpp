@@ -3,13 +3,11 @@
 
 #include "core/cloud/frame.h"
 #include "core/cloud/surface_cells.h"
-#include "core/levels/given_levels.h"
 #include "core/levels/levels.h"
 #include "core/pipeline/stage_runs.h"
 
 #include <algorithm>
 #include <format>
-#include <limits>
 
 namespace s2b
 {
@@ -34,29 +32,6 @@ double liftToLowestFloor(SurfaceCells& cells, LevelResult& levels)
     return lowest;
 }
 
-/// The levels that a person gave, about the cloud's origin, with what was found at the same heights.
-LevelResult takeGiven(const std::vector<StoreyHeights>& given, double originZ, const LevelResult& found)
-{
-    std::vector<Storey> storeys;
-    double last = -std::numeric_limits<double>::infinity();
-    for (const StoreyHeights& heights : given)
-    {
-        if (!(heights.floor_m >= last) || !(heights.ceiling_m > heights.floor_m))
-            throw Error(
-                ErrorCode::BadParameter,
-                std::format("the level from {} to {} m is not above the one before it, or its ceiling not above "
-                            "its floor: give levels from the lowest to the highest",
-                            heights.floor_m, heights.ceiling_m));
-        last = heights.ceiling_m;
-        Storey storey;
-        storey.elevation_m = heights.floor_m - originZ;
-        storey.height = {heights.ceiling_m - heights.floor_m,
-                         heights.ceilingSeen ? Provenance::Corrected : Provenance::Assumed, 0.0};
-        storeys.push_back(storey);
-    }
-    return {levelsOf(storeys, found.levels), {}};
-}
-
 }  // namespace
 
 Building reconstruct(const CloudView& cloud, const PipelineOptions& options, const Context& context)
@@ -79,7 +54,7 @@ Building reconstruct(const CloudView& cloud, const PipelineOptions& options, con
     context.report("Levels", 0.55);
     LevelResult levels = findLevels(cells, p.levels, context);
     if (!options.levels.empty())
-        levels = takeGiven(options.levels, cloud.origin.z(), levels);
+        levels = givenLevels(options.levels, cloud.origin.z(), levels);
     if (!levels.levels.empty())
         building.frame.origin.z() += liftToLowestFloor(cells, levels);
     append(building.diagnostics, std::move(levels.diagnostics));

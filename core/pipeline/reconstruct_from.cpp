@@ -89,9 +89,10 @@ public:
     {
         const Stages& stages = m_options.stages;
         m_context.report("Levels", 0.55);
-        LevelResult found = findLevels(cells, m_options.parameters.levels, m_context);
+        const LevelResult found = findLevels(cells, m_options.parameters.levels, m_context);
         if (stages.contains(Stage::Levels))
-            takeLevels(found);
+            takeLevels(m_options.levels.empty() ? found
+                                                : givenLevels(m_options.levels, m_before.frame.origin.z(), found));
         if (m_model.corrected.storeys.empty() && stages != Stages{Stage::Levels})
             throw Error(ErrorCode::BadParameter, "the model has no storey to look for anything on: run Levels first");
         const std::vector<Storey> given = floors();
@@ -132,12 +133,14 @@ private:
         return all;
     }
 
-    void takeLevels(LevelResult& found)
+    void takeLevels(LevelResult found)
     {
         std::vector<Storey> fresh;
         for (const Level& level : found.levels)
         {
             fresh.push_back(s2b::storeyOf(level));
+            if (!m_options.levels.empty() && level.ceilingSeen)
+                fresh.back().height.provenance = Provenance::Corrected;
             fresh.back().id = ElementId{m_nextId++};
             fresh.back().name = std::format("Level {}", fresh.size() - 1);
         }

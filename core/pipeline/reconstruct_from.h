@@ -20,6 +20,7 @@ namespace s2b
 ///   those of the new walls.
 /// - Storeys that are found again within half a room's height keep their id and their corrections; the elements of
 ///   those that are not found again go with them. The frame stays.
+/// - `options.levels`, when given, are what the stage Levels finds. Other stages stand on the model's own storeys.
 /// @param storey  only this one; nothing: all. Levels are always found for all.
 /// @return found and corrected as they then are. `earlier` is not changed.
 /// @throws Error{BadParameter} for an unknown storey or missing storeys or walls; else as reconstruct(); Cancelled.

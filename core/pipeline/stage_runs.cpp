@@ -6,6 +6,7 @@
 #include "core/cloud/clutter.h"
 #include "core/cloud/station_assignment.h"
 #include "core/columns/columns.h"
+#include "core/levels/given_levels.h"
 #include "core/openings/openings.h"
 #include "core/slabs/slabs.h"
 #include "core/spaces/spaces.h"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <format>
+#include <limits>
 
 namespace s2b
 {
@@ -56,6 +58,28 @@ void moveIds(StoreyRun& run, std::uint32_t firstId, std::uint32_t by)
 }
 
 }  // namespace
+
+LevelResult givenLevels(const std::vector<StoreyHeights>& given, double originZ_m, const LevelResult& found)
+{
+    std::vector<Storey> storeys;
+    double last = -std::numeric_limits<double>::infinity();
+    for (const StoreyHeights& heights : given)
+    {
+        if (!(heights.floor_m >= last) || !(heights.ceiling_m > heights.floor_m))
+            throw Error(
+                ErrorCode::BadParameter,
+                std::format("the level from {} to {} m is not above the one before it, or its ceiling not above "
+                            "its floor: give levels from the lowest to the highest",
+                            heights.floor_m, heights.ceiling_m));
+        last = heights.ceiling_m;
+        Storey storey;
+        storey.elevation_m = heights.floor_m - originZ_m;
+        storey.height = {heights.ceiling_m - heights.floor_m,
+                         heights.ceilingSeen ? Provenance::Corrected : Provenance::Assumed, 0.0};
+        storeys.push_back(storey);
+    }
+    return {levelsOf(storeys, found.levels), {}};
+}
 
 StationInput stationsOf(const CloudView& cloud, const Context& context)
 {

@@ -36,6 +36,12 @@ struct StationInput
 /// The storey of a level, without an id or a name.
 [[nodiscard]] Storey storeyOf(const Level& level);
 
+/// The levels that a person gave, with what was found at the same heights.
+/// @param originZ_m  world z of the cells' zero
+/// @throws Error{BadParameter} when they are not ascending, or one has its ceiling below its floor
+[[nodiscard]] LevelResult givenLevels(const std::vector<StoreyHeights>& given, double originZ_m,
+                                      const LevelResult& found);
+
 /// The cells of a cloud without clutter, about the cloud's origin.
 [[nodiscard]] SurfaceCells surfaceCellsOf(const CloudView& cloud, const PipelineOptions& options,
                                           const Context& context);

@@ -176,6 +176,38 @@ TEST(ReconstructFrom, LevelsStayAsPeopleLeftThem)
     EXPECT_EQ(run(m, {Stage::Levels}).corrected.storeys.size(), 1u);  // what was taken out is not found again
 }
 
+TEST(ReconstructFrom, TakesLevelsThatAreGivenForFoundOnes)
+{
+    const Model earlier = whole();
+    PipelineOptions options = only({Stage::Levels, Stage::Walls});
+    options.levels = {{0.3, 2.6}, {2.9, 5.3, false}};
+    const Model after = reconstructFrom(house().view(), options, earlier, std::nullopt, {});
+    ASSERT_EQ(after.corrected.storeys.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+        const Storey& s = after.corrected.storeys[i];
+        EXPECT_EQ(s.id, earlier.corrected.storeys[i].id);
+        // World heights, in a frame whose zero is the lowest floor that was found.
+        EXPECT_NEAR(after.corrected.frame.origin.z() + s.elevation_m, options.levels[i].floor_m, 1e-9);
+        EXPECT_NEAR(s.height.value_m, options.levels[i].ceiling_m - options.levels[i].floor_m, 1e-9);
+    }
+    EXPECT_EQ(after.corrected.storeys[0].height.provenance, Provenance::Corrected);
+    EXPECT_EQ(after.corrected.storeys[1].height.provenance, Provenance::Assumed);  // nobody says that it was seen
+    for (const Wall& w : after.corrected.walls)
+        if (w.storey == after.corrected.storeys[0].id)
+        {
+            EXPECT_NEAR(w.base_m, after.corrected.storeys[0].elevation_m, kCells_m);
+        }
+
+    // Other stages stand on the model's own, and an order that is none is refused.
+    options.stages = {Stage::Walls};
+    const Model walls = reconstructFrom(house().view(), options, earlier, std::nullopt, {});
+    EXPECT_EQ(walls.corrected.storeys[0].elevation_m, earlier.corrected.storeys[0].elevation_m);
+    options.stages = {Stage::Levels};
+    options.levels = {{2.9, 5.5}, {0.0, 2.6}};
+    EXPECT_THROW((void)reconstructFrom(house().view(), options, earlier, std::nullopt, {}), Error);
+}
+
 TEST(ReconstructFrom, GivenWallsGiveOtherDoors)
 {
     Model m = whole();
