@@ -2,6 +2,7 @@
 #include "core/corrections/elements.h"
 #include "core/corrections/junctions.h"
 #include "core/model/wall_axis.h"
+#include "core/model/wall_top.h"
 
 #include <cmath>
 #include <numbers>
@@ -16,23 +17,6 @@ constexpr double kShortest_m = 0.1;
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 {
     return a.x() * b.y() - a.y() * b.x();
-}
-
-/// Height of the top edge at s; of a level top the same everywhere.
-double topAt(const Wall& wall, double s)
-{
-    const auto& profile = wall.topProfile;
-    if (profile.empty())
-        return wall.base_m + wall.height.value_m;
-    if (s <= profile.front().x())
-        return profile.front().y();
-    for (std::size_t i = 1; i < profile.size(); ++i)
-        if (s <= profile[i].x())
-        {
-            const double t = (s - profile[i - 1].x()) / std::max(1e-9, profile[i].x() - profile[i - 1].x());
-            return profile[i - 1].y() + t * (profile[i].y() - profile[i - 1].y());
-        }
-    return profile.back().y();
 }
 
 /// The part of a top edge between two places, in arc lengths from `from`.

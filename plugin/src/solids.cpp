@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solids.h"
 
+#include "core/model/wall_top.h"
+
 #include <Delaunay2dMesh.h>
 #include <algorithm>
 #include <cmath>
@@ -43,25 +45,6 @@ namespace s2b
 		double sweepOf(const Wall& wall)
 		{
 			return 4.0 * std::atan(wall.bulge);
-		}
-
-		// Height of the upper edge at s.
-		double topAt(const Wall& wall, double s)
-		{
-			const auto& profile = wall.topProfile;
-			if (profile.empty())
-				return wall.base_m + wall.height.value_m;
-			if (s <= profile.front().x())
-				return profile.front().y();
-			for (std::size_t i = 1; i < profile.size(); ++i)
-			{
-				if (s > profile[i].x())
-					continue;
-				const double run = profile[i].x() - profile[i - 1].x();
-				const double t   = run < kSame_m ? 1.0 : (s - profile[i - 1].x()) / run;
-				return profile[i - 1].y() + t * (profile[i].y() - profile[i - 1].y());
-			}
-			return profile.back().y();
 		}
 
 		struct Hole

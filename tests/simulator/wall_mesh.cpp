@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/simulator/wall_mesh.h"
 
+#include "core/model/wall_top.h"
 #include "tests/simulator/axis_curve.h"
 #include "tests/simulator/opening_frame.h"
 
@@ -38,20 +39,6 @@ double meshEnd(const Building& building, const Wall& wall, JunctionEnd end)
                 gap, endGap(curve, wall.thickness.value_m, isEnd, AxisCurve(*other), other->thickness.value_m).mesh_m);
         }
     return isEnd ? curve.length() - gap : gap;
-}
-
-double topAt(const Wall& wall, double s)
-{
-    const auto& profile = wall.topProfile;
-    if (profile.empty())
-        return wall.base_m + wall.height.value_m;
-    if (s <= profile.front().x())
-        return profile.front().y();
-    for (std::size_t i = 0; i + 1 < profile.size(); ++i)
-        if (s <= profile[i + 1].x())
-            return profile[i].y() + (profile[i + 1].y() - profile[i].y()) * (s - profile[i].x()) /
-                                        std::max(profile[i + 1].x() - profile[i].x(), kSame_m);
-    return profile.back().y();
 }
 
 void sortUnique(std::vector<double>& values)
