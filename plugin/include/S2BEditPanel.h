@@ -2,7 +2,6 @@
 #pragma once
 
 #include "S2BPicker.h"
-#include "core/corrections/corrections.h"
 #include "core/corrections/model.h"
 
 #include <QDockWidget>
@@ -11,12 +10,10 @@
 #include <set>
 #include <vector>
 
-class QComboBox;
 class QDoubleSpinBox;
-class QFormLayout;
 class QLabel;
-class QLineEdit;
 class QPushButton;
+class S2BElementForm;
 class ccMainAppInterface;
 
 //! Edit element: the dimensions and the class of what is selected, merging and splitting walls, walls and levels by
@@ -32,13 +29,6 @@ class S2BEditPanel : public QDockWidget
 	void setSelection(const ccHObject::Container& selection);
 
   private:
-	struct Row
-	{
-		s2b::Measure    measure;
-		QLabel*         label = nullptr;
-		QDoubleSpinBox* value = nullptr;
-		double          shown = 0.0; //!< a value that nobody touched is not set
-	};
 	using Change = std::function<s2b::Model(const s2b::Model&)>;
 
 	QPushButton* addButton(const char* name, const QString& text, const QString& toolTip, void (S2BEditPanel::*onClick)());
@@ -64,18 +54,15 @@ class S2BEditPanel : public QDockWidget
 	std::vector<s2b::ElementId> m_ids;            //!< of what is selected
 	std::vector<CCVector3d>     m_picked;
 
-	QLineEdit*       m_name = nullptr;
-	QComboBox*       m_kind = nullptr;
-	QFormLayout*     m_form = nullptr;
-	std::vector<Row> m_rows;
-	QPushButton*     m_apply        = nullptr;
-	QPushButton*     m_reset        = nullptr;
-	QPushButton*     m_merge        = nullptr;
-	QPushButton*     m_split        = nullptr;
-	QPushButton*     m_addWall      = nullptr;
-	QPushButton*     m_addLevel     = nullptr;
-	QPushButton*     m_cancel       = nullptr;
-	QDoubleSpinBox*  m_newThickness = nullptr;
-	QLabel*          m_state        = nullptr;
-	QLabel*          m_message      = nullptr;
+	S2BElementForm* m_form         = nullptr;
+	QPushButton*    m_apply        = nullptr;
+	QPushButton*    m_reset        = nullptr;
+	QPushButton*    m_merge        = nullptr;
+	QPushButton*    m_split        = nullptr;
+	QPushButton*    m_addWall      = nullptr;
+	QPushButton*    m_addLevel     = nullptr;
+	QPushButton*    m_cancel       = nullptr;
+	QDoubleSpinBox* m_newThickness = nullptr;
+	QLabel*         m_state        = nullptr;
+	QLabel*         m_message      = nullptr;
 };

@@ -23,9 +23,6 @@ namespace s2b
 	//! The classes of the labels and how many points each has, in one line
 	QString labelSummary(const Input& input, const QString& mapName);
 
-	//! "Wall 12", or a storey's own name; empty for an id that no element has
-	QString elementName(const Building& building, ElementId id);
-
 	//! One diagnostic with its element and its place in world coordinates
 	QString diagnosticText(const Building& building, const Diagnostic& diagnostic);
 } // namespace s2b

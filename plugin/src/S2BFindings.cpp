@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "S2BFindings.h"
 
-#include "S2BSummary.h"
 #include "S2BView.h"
+#include "core/corrections/corrections.h"
 
 #include <algorithm>
 #include <cc2DLabel.h>
@@ -28,7 +28,7 @@ namespace s2b
 			map["Severity"]  = kSeverityNames[static_cast<int>(diagnostic.severity)];
 			map["Stage"]     = QString::fromStdString(diagnostic.stage);
 			map["Text"]      = QString::fromStdString(diagnostic.text);
-			if (const QString element = elementName(building, diagnostic.element); !element.isEmpty())
+			if (const QString element = QString::fromStdString(nameOf(building, diagnostic.element)); !element.isEmpty())
 				map["Element"] = element;
 			return map;
 		}

@@ -2,6 +2,7 @@
 #include "S2BSummary.h"
 
 #include "S2BInput.h"
+#include "core/corrections/corrections.h"
 
 #include <QLocale>
 #include <algorithm>
@@ -31,12 +32,6 @@ namespace s2b
 		{
 			return static_cast<std::size_t>(std::count_if(elements.begin(), elements.end(), [&](const Element& element)
 			                                              { return element.storey == storey; }));
-		}
-		template <typename Elements>
-		bool holds(const Elements& elements, ElementId id)
-		{
-			return std::any_of(elements.begin(), elements.end(), [&](const auto& element)
-			                   { return element.id == id; });
 		}
 	} // namespace
 
@@ -81,7 +76,7 @@ namespace s2b
 				if (!isAssumed(element))
 					continue;
 				if (++count <= kMaxNames)
-					names << elementName(building, element.id);
+					names << QString::fromStdString(nameOf(building, element.id));
 			}
 			if (count > kMaxNames)
 				names << "...";
@@ -120,31 +115,10 @@ namespace s2b
 		return QString("labels from the field '%1' with the map '%2': %3").arg(input.labelField, mapName, parts.join(", "));
 	}
 
-	QString elementName(const Building& building, ElementId id)
-	{
-		if (id.value == 0)
-			return {};
-		for (const Storey& storey : building.storeys)
-		{
-			if (storey.id == id)
-				return QString::fromStdString(storey.name);
-		}
-		const auto  opening = std::find_if(building.openings.begin(), building.openings.end(), [&](const Opening& each)
-                                          { return each.id == id; });
-		const char* kind    = holds(building.walls, id) ? "Wall" : holds(building.columns, id) ? "Column"
-		                                                       : holds(building.slabs, id)     ? "Slab"
-		                                                       : holds(building.spaces, id)    ? "Space"
-		                                                                                       : "";
-		if (opening != building.openings.end())
-			kind = opening->kind == OpeningKind::Door ? "Door" : opening->kind == OpeningKind::Window ? "Window"
-			                                                                                          : "Opening";
-		return *kind ? QString("%1 %2").arg(kind).arg(id.value) : QString();
-	}
-
 	QString diagnosticText(const Building& building, const Diagnostic& diagnostic)
 	{
 		const QString text    = QString("%1: %2").arg(QString::fromStdString(diagnostic.stage), QString::fromStdString(diagnostic.text));
-		const QString element = elementName(building, diagnostic.element);
+		const QString element = QString::fromStdString(nameOf(building, diagnostic.element));
 		QStringList   where;
 		if (!element.isEmpty())
 			where << element;
