@@ -59,8 +59,12 @@ namespace s2b
 	**/
 	void runStages(ccMainAppInterface& app, const std::set<Stage>& stages);
 
+	//! Says what was found, what is assumed and what was uncertain in the console
+	void sayResult(ccMainAppInterface& app, const Building& building);
+
 	//! Adds a model of these clouds to the DB tree
-	void addModel(ccMainAppInterface& app, const Model& model, const std::vector<ccPointCloud*>& clouds);
+	/** \param given  the levels that it was made with, if any were given **/
+	void addModel(ccMainAppInterface& app, const Model& model, const std::vector<ccPointCloud*>& clouds, const std::vector<StoreyHeights>& given = {});
 
 	//! Shows or hides what is behind the faces of the selected model
 	void toggleTranslucent(ccMainAppInterface& app);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/corrections/model.h"
+#include "core/pipeline/pipeline.h"
 
 #include <ccHObject.h>
 #include <memory>
@@ -18,6 +19,7 @@ namespace s2b
 	inline constexpr char kNamesKey[]     = "S2B.Names";
 	inline constexpr char kCloudsKey[]    = "S2B.Clouds";
 	inline constexpr char kShiftKey[]     = "S2B.Shift";
+	inline constexpr char kGivenKey[]     = "S2B.Given";    //!< the levels that the user gave before the run
 	inline constexpr char kPlanKey[]      = "S2B.Plan";     //!< how far the level planes reach
 	inline constexpr char kBodilessKey[]  = "S2B.Bodiless"; //!< ids of elements that have nothing to draw
 	//! And its entities, beside the id
@@ -54,6 +56,10 @@ namespace s2b
 
 	//! The clouds that a model was reconstructed from, found again also after reopening; empty when one is missing
 	std::vector<ccPointCloud*> cloudsOfModel(const ccHObject& dbRoot, const ccHObject& root);
+
+	//! Notes the levels that were given instead of found ones: the stage Levels takes them again
+	void                       rememberLevels(ccHObject& root, const std::vector<StoreyHeights>& levels);
+	std::vector<StoreyHeights> givenLevelsOf(const ccHObject& root);
 
 	//! The newest model of just these clouds, or null
 	ccHObject* modelOfClouds(const ccHObject& dbRoot, const std::vector<ccPointCloud*>& clouds);

@@ -22,24 +22,6 @@ namespace s2b
 	namespace
 	{
 		constexpr int kMaxDiagnostics = 50;
-
-		void printResult(ccMainAppInterface& app, const Building& building)
-		{
-			for (const QString& line : summary(building))
-				say(app, line);
-			for (const QString& line : assumptions(building))
-				say(app, line, true);
-			int shown = 0;
-			for (const Diagnostic& diagnostic : building.diagnostics)
-			{
-				if (++shown > kMaxDiagnostics)
-					break;
-				say(app, diagnosticText(building, diagnostic), diagnostic.severity != Severity::Info);
-			}
-			if (building.diagnostics.size() > kMaxDiagnostics)
-				say(app, QString("... and %1 more").arg(building.diagnostics.size() - kMaxDiagnostics));
-		}
-
 	} // namespace
 
 	void say(ccMainAppInterface& app, const QString& text, bool isWarning)
@@ -53,6 +35,23 @@ namespace s2b
 		QMessageBox box(QMessageBox::Warning, "Scan to BIM", text, QMessageBox::Ok, app.getMainWindow());
 		box.setObjectName("S2BMessage");
 		box.exec();
+	}
+
+	void sayResult(ccMainAppInterface& app, const Building& building)
+	{
+		for (const QString& line : summary(building))
+			say(app, line);
+		for (const QString& line : assumptions(building))
+			say(app, line, true);
+		int shown = 0;
+		for (const Diagnostic& diagnostic : building.diagnostics)
+		{
+			if (++shown > kMaxDiagnostics)
+				break;
+			say(app, diagnosticText(building, diagnostic), diagnostic.severity != Severity::Info);
+		}
+		if (building.diagnostics.size() > kMaxDiagnostics)
+			say(app, QString("... and %1 more").arg(building.diagnostics.size() - kMaxDiagnostics));
 	}
 
 	Building correctedModel(const ccHObject& tree)
@@ -102,10 +101,10 @@ namespace s2b
 				say(app, "cancelled, nothing was changed");
 				return;
 			}
-			printResult(app, *building);
+			sayResult(app, *building);
 			if (!choice.ifcPath.isEmpty())
 				say(app, "wrote " + choice.ifcPath);
-			addModel(app, Model{*building, *building, {}}, clouds);
+			addModel(app, Model{*building, *building, {}}, clouds, choice.pipeline.levels);
 			app.redrawAll();
 		}
 		catch (const std::bad_alloc&)

@@ -133,6 +133,28 @@ namespace s2b
 		return found;
 	}
 
+	void rememberLevels(ccHObject& root, const std::vector<StoreyHeights>& levels)
+	{
+		QVariantList list;
+		for (const StoreyHeights& level : levels)
+			list << QVariant(QVariantList{level.floor_m, level.ceiling_m, level.ceilingSeen});
+		root.removeMetaData(kGivenKey);
+		if (!list.isEmpty())
+			root.setMetaData(QString(kGivenKey), list);
+	}
+
+	std::vector<StoreyHeights> givenLevelsOf(const ccHObject& root)
+	{
+		std::vector<StoreyHeights> levels;
+		for (const QVariant& level : root.getMetaData(kGivenKey).toList())
+		{
+			const QVariantList values = level.toList();
+			if (values.size() == 3)
+				levels.push_back({values[0].toDouble(), values[1].toDouble(), values[2].toBool()});
+		}
+		return levels;
+	}
+
 	ccHObject* modelOfClouds(const ccHObject& dbRoot, const std::vector<ccPointCloud*>& clouds)
 	{
 		ccHObject::Container groups;

@@ -94,20 +94,26 @@ namespace s2b
 			std::set<ElementId>  moved;
 			if (selection.model)
 			{
-				ModelState state = readModel(*selection.model);
-				earlier          = std::move(state.model);
-				moved            = std::move(state.moved);
+				ModelState state       = readModel(*selection.model);
+				earlier                = std::move(state.model);
+				moved                  = std::move(state.moved);
+				choice.pipeline.levels = givenLevelsOf(*selection.model);
 			}
 			choice.pipeline.stages            = earlier ? stagesFor(stages, *earlier) : stagesFromNothing(stages);
 			const std::optional<Model> result = runInWorker(app, selection, choice, earlier);
 			if (!result)
 				return say(app, "cancelled, nothing was changed");
-			for (const QString& line : summary(result->corrected))
-				say(app, line);
 			if (selection.model)
-				updateTree(app, *selection.model, *result, moved);
+			{
+				for (const QString& line : summary(result->corrected))
+					say(app, line);
+				updateTree(app, *selection.model, *result, moved); // says what is new among the findings
+			}
 			else
+			{
+				sayResult(app, result->corrected);
 				addModel(app, *result, selection.clouds);
+			}
 			app.redrawAll();
 		}
 	} // namespace
@@ -131,10 +137,11 @@ namespace s2b
 		return found;
 	}
 
-	void addModel(ccMainAppInterface& app, const Model& model, const std::vector<ccPointCloud*>& clouds)
+	void addModel(ccMainAppInterface& app, const Model& model, const std::vector<ccPointCloud*>& clouds, const std::vector<StoreyHeights>& given)
 	{
 		ccHObject* tree = makeTree(model, *clouds.front(), clouds.front()->getName() + " [BIM]").release(); // the application's
 		rememberClouds(*tree, clouds);
+		rememberLevels(*tree, given);
 		tree->setDisplay_recursive(clouds.front()->getDisplay());
 		app.addToDB(tree, false, true, false, true);
 		if (model.corrected.diagnostics.empty())
