@@ -3,9 +3,13 @@
 
 #include "core/pipeline/level_survey.h"
 
+#include <QString>
 #include <QWidget>
 #include <optional>
 #include <vector>
+
+//! A height with so many decimals, and without the sign of a zero
+QString heightText(double height_m, int decimals);
 
 //! The area of horizontal surfaces over height, with a line for each floor and ceiling that can be dragged
 class S2BLevelView : public QWidget

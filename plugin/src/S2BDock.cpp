@@ -80,6 +80,7 @@ void S2BDock::present()
 	if (console && !isVisible() && !isFloating())
 		setGeometry(console->geometry());
 	show();
+	lower(); // a new dock is the uppermost widget already, and raising it would not bring its tab to the front
 	raise();
 	QTimer::singleShot(0, window, qOverload<>(&QWidget::update));
 }

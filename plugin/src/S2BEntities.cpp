@@ -21,6 +21,7 @@ namespace s2b
 	{
 		constexpr double kSpaceLift_m = 0.02; // a space is drawn as a thin plate, just above the floor slab
 		constexpr double kPlaneEdge_m = 1.0;  // a level plane reaches this far over the walls
+		constexpr double kLevelMark_m = 0.8;
 		constexpr double kAxisLift_m  = 0.02;
 		constexpr double kArcStep_m   = 0.25;
 
@@ -160,7 +161,16 @@ namespace s2b
 			return plan;
 		}
 
-		// A translucent rectangle at the floor's height, with its name beside it.
+		// The mark of a level in an elevation: a short line beyond the plan, with the level's name, where no wall is behind it.
+		std::unique_ptr<ccPolyline> makeLevelMark(const Building& building, const ccShiftedObject& reference, const Storey& storey, const Eigen::AlignedBox2d& plan, const QString& name)
+		{
+			const double z    = storey.elevation_m - kPlaneDrop_m;
+			auto         mark = makePolyline(building, reference, {{plan.max().x(), plan.min().y(), z}, {plan.max().x() + kLevelMark_m, plan.min().y(), z}}, false, kLevelColor, name);
+			mark->showNameIn3D(true);
+			return mark;
+		}
+
+		// A translucent rectangle at the floor's height.
 		std::unique_ptr<ccHObject> makeLevelPlane(const Building& building, const ccShiftedObject& reference, const Storey& storey, const Eigen::AlignedBox2d& plan)
 		{
 			const Eigen::Vector2d size   = plan.sizes();
@@ -172,7 +182,7 @@ namespace s2b
 			plane->setColor(kLevelColor);
 			plane->showColors(true);
 			plane->enableStippling(true);
-			plane->showNameIn3D(true);
+			plane->addChild(makeLevelMark(building, reference, storey, plan, plane->getName()).release());
 			plane->copyGlobalShiftAndScale(reference);
 			plane->setMetaData(QString(kLevelKey), storey.id.value);
 			plane->setMetaData(QString(kShapeKey), QString("%1 %2 %3").arg(storey.elevation_m, 0, 'f', 6).arg(size.x()).arg(size.y()));

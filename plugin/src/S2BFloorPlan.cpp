@@ -2,13 +2,11 @@
 #include "S2BFloorPlan.h"
 
 #include "S2BActions.h"
-#include "S2BBuildingText.h"
-#include "S2BEntities.h"
+#include "S2BModel.h"
 #include "S2BView.h"
 
 #include <ccGLWindowInterface.h>
 #include <ccMainAppInterface.h>
-#include <ccMesh.h>
 #include <ccPointCloud.h>
 #include <cmath>
 #include <optional>
@@ -40,45 +38,36 @@ namespace s2b
 		};
 		std::optional<Plan> currentPlan;
 
-		// The storey that a selected entity belongs to, by the group below the model that it is in.
-		const Storey* storeyOf(const Building& building, const ccHObject& model, const ccHObject* entity)
+		std::optional<Cut> cutOfModel(const ccHObject& model, const ccHObject* selected)
 		{
-			while (entity && entity->getParent() != &model)
-				entity = entity->getParent();
-			for (const Storey& storey : building.storeys)
-			{
-				if (entity && entity->getName() == QString::fromStdString(storey.name))
-					return &storey;
-			}
-			return building.storeys.empty() ? nullptr : &building.storeys.front();
-		}
-
-		const ccShiftedObject* referenceOf(ccHObject& model)
-		{
-			ccHObject::Container meshes;
-			model.filterChildren(meshes, true, CC_TYPES::MESH, true);
-			return meshes.empty() ? nullptr : static_cast<ccMesh*>(meshes.front());
-		}
-
-		std::optional<Cut> cutOfModel(ccHObject& model, const ccHObject* selected)
-		{
-			const Building         building  = parseBuilding(model.getMetaData(kBuildingKey).toMap().value("text").toString());
-			const Storey*          storey    = storeyOf(building, model, selected);
-			const ccShiftedObject* reference = referenceOf(model);
-			if (!storey || !reference)
+			const Building building = correctedModel(model);
+			if (building.storeys.empty())
 				return {};
-			const auto toLocalZ = [&](double z_m)
+			const Storey* storey = building.storey(storeyOfEntity(*selected));
+			if (!storey)
+				storey = &building.storeys.front();
+			const auto reference = referenceOf(model);
+			const auto toLocal   = [&](const Eigen::Vector2d& p, double z_m)
 			{
-				const Eigen::Vector3d world = building.frame.toWorld({0.0, 0.0, z_m});
-				return reference->toLocal3d(CCVector3d(world.x(), world.y(), world.z())).z;
+				const Eigen::Vector3d world = building.frame.toWorld({p.x(), p.y(), z_m});
+				return reference->toLocal3d(CCVector3d(world.x(), world.y(), world.z()));
 			};
 			Cut cut;
 			cut.model   = model.getUniqueID();
 			cut.storey  = QString::fromStdString(storey->name);
-			cut.low     = toLocalZ(storey->elevation_m - kBelow_m);
-			cut.high    = toLocalZ(storey->elevation_m + kPlanCut_m);
+			cut.low     = toLocal({0, 0}, storey->elevation_m - kBelow_m).z;
+			cut.high    = toLocal({0, 0}, storey->elevation_m + kPlanCut_m).z;
 			cut.yaw_rad = building.frame.yaw_rad;
-			cut.box     = model.getDisplayBB_recursive(false);
+			for (const Wall& wall : building.walls)
+			{
+				for (const Eigen::Vector2d& end : {wall.start, wall.end})
+				{
+					if (wall.storey == storey->id)
+						cut.box.add(toLocal(end, storey->elevation_m).toPC());
+				}
+			}
+			if (!cut.box.isValid())
+				cut.box = const_cast<ccHObject&>(model).getDisplayBB_recursive(false); // changes nothing, but is not const
 			return cut;
 		}
 
@@ -145,9 +134,17 @@ namespace s2b
 
 	void toggleFloorPlan(ccMainAppInterface& app)
 	{
-		ccGLWindowInterface*     view = app.getActiveGLWindow();
-		const std::optional<Cut> next = cutOf(app.getSelectedEntities());
-		std::optional<Plan>      last = std::exchange(currentPlan, std::nullopt);
+		ccGLWindowInterface* view = app.getActiveGLWindow();
+		std::optional<Cut>   next;
+		try
+		{
+			next = cutOf(app.getSelectedEntities());
+		}
+		catch (const std::exception& e) // an element that was tilted, say
+		{
+			return complain(app, QString::fromUtf8(e.what()));
+		}
+		std::optional<Plan> last = std::exchange(currentPlan, std::nullopt);
 		if (last)
 			unclipAll(app, *last);
 		const bool isAnother = last && next && (last->cut.storey != next->storey || last->cut.model != next->model);

@@ -210,7 +210,7 @@ void S2BLevelPage::fillTable()
 		int column = 0;
 		for (const double height_m : {storey.floor_m, storey.ceiling_m})
 		{
-			auto* item = new QTableWidgetItem(QString::number(height_m, 'f', 3));
+			auto* item = new QTableWidgetItem(heightText(height_m, 3));
 			item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
 			m_table->setItem(row, column++, item);
 		}

@@ -35,9 +35,15 @@ namespace
 
 	QString metres(double height_m)
 	{
-		return QString("%1 m").arg(height_m, 0, 'f', 2);
+		return heightText(height_m, 2) + " m";
 	}
 } // namespace
+
+QString heightText(double height_m, int decimals)
+{
+	const QString text = QString::number(height_m, 'f', decimals);
+	return text.toDouble() == 0.0 ? QString::number(0.0, 'f', decimals) : text;
+}
 
 S2BLevelView::S2BLevelView(QWidget* parent)
     : QWidget(parent)
