@@ -27,10 +27,13 @@ namespace s2b
 			const char* file;
 			const char* title;
 		};
-		const std::array<Page, 8> kPages{{
+		const std::array<Page, 11> kPages{{
 		    {"user_guide.md", "User guide"},
 		    {"parameters.md", "Parameters and presets"},
+		    {"corrections.md", "Corrections"},
 		    {"labels.md", "Labels"},
+		    {"segmentation.md", "Labels from a model"},
+		    {"training.md", "Training a model"},
 		    {"conventions.md", "Conventions"},
 		    {"ifc.md", "The IFC file"},
 		    {"validation_report.md", "Reading the report"},
@@ -54,7 +57,11 @@ namespace s2b
 			{
 				const QVariant resource = QTextBrowser::loadResource(type, name);
 				if (type != QTextDocument::ImageResource)
-					return resource;
+				{
+					// What a document refers to beside other documents: a schema, the IDS. Their own tags are no page's.
+					const bool isPage = name.fileName().endsWith(".md");
+					return isPage ? resource : QVariant("<pre>" + QString::fromUtf8(resource.toByteArray()).toHtmlEscaped() + "</pre>");
+				}
 				const QImage image = resource.canConvert<QImage>() && !resource.value<QImage>().isNull() ? resource.value<QImage>() : QImage::fromData(resource.toByteArray());
 				return image.width() > kPageWidth_px ? image.scaledToWidth(kPageWidth_px, Qt::SmoothTransformation) : image;
 			}

@@ -24,6 +24,10 @@ void help(Driver& driver)
         for (QTextBlock block = page->document()->begin(); block.isValid(); block = block.next())
             for (auto part = block.begin(); !part.atEnd(); ++part)
             {
+                const QUrl link(part.fragment().charFormat().anchorHref());
+                if (!link.isEmpty() && link.isRelative() && !link.path().isEmpty())
+                    driver.check(QFile::exists(":" + page->source().resolved(link).path()),
+                                 link.path() + " can be followed");
                 const QTextImageFormat image = part.fragment().charFormat().toImageFormat();
                 if (image.isValid() && image.name().size())
                     driver.check(page->loadResource(QTextDocument::ImageResource, image.name()).isValid(),
@@ -34,6 +38,8 @@ void help(Driver& driver)
     page->setSource(QUrl("qrc:/CC/plugin/qScanToBim/docs/parameters.md"));
     driver.check(pages->currentRow() == 1, "links are followed in the list");
     driver.shoot(window, "help_parameters");
+    page->setSource(QUrl("qrc:/CC/plugin/qScanToBim/docs/validation_report.schema.json"));
+    driver.check(page->toPlainText().contains("\"$schema\""), "a schema is shown as it is");
     window->close();
 }
 
