@@ -9,6 +9,10 @@ import numpy as np
 import pytest
 
 
+# With the sanitizers everything takes longer, CloudCompare itself included.
+SLOWDOWN = 5 if os.environ.get("S2B_TEST_PRELOAD") else 1
+
+
 class Run:
     """One finished run of CloudCompare."""
 
@@ -48,7 +52,7 @@ def cloudcompare(tmp_path):
     def run(*arguments, **more):
         process = subprocess.run([os.environ["S2B_TEST_CLOUDCOMPARE"], "-SILENT", *map(str, arguments)], cwd=tmp_path,
                                  env=environment(tmp_path / "home", QT_QPA_PLATFORM="offscreen", **more),
-                                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300)
+                                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300 * SLOWDOWN)
         print(process.stdout)
         assert "Plugin found: Scan to BIM" in process.stdout
         return Run(process)
@@ -58,7 +62,7 @@ def cloudcompare(tmp_path):
 
 def make_survey(path, *arguments):
     subprocess.run([os.environ["S2B_TEST_SURVEY"], str(path), *map(str, arguments)], check=True, stdin=subprocess.DEVNULL,
-                   stdout=subprocess.DEVNULL, timeout=300)
+                   stdout=subprocess.DEVNULL, timeout=300 * SLOWDOWN)
     return path
 
 
@@ -136,7 +140,7 @@ def window(display, tmp_path, output):
                           S2B_PLAIN_DIALOGS="1", **more)
         env["CC_PLUGIN_PATH"] += ":" + os.environ["S2B_TEST_DRIVER"]
         process = subprocess.run([os.environ["S2B_TEST_CLOUDCOMPARE"], ":start-plugin:S2B_window_driver", str(path)], cwd=tmp_path, env=env,
-                                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300)
+                                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300 * SLOWDOWN)
         print(process.stdout)
         assert process.returncode == 0, "\n".join(line for line in process.stdout.splitlines() if line.startswith(("FAIL", "ok")))
         return process.stdout

@@ -88,7 +88,14 @@ def test_corrections_are_exported_saved_and_reopened(window, to_bin, survey, out
     inner, added = number(said, "moved"), number(said, "added")
     before, moved, edited = (walls_of(output / (name + ".ifc")) for name in ("unmoved", "moved", "edited"))
 
-    # CloudCompare's move is the wall's; those that meet it still do.
+    # CloudCompare's turn and scale are the wall's,
+    turned = walls_of(output / "turned.ifc")[inner]
+    directions = [(end - start) / np.linalg.norm(end - start) for _, start, end, _ in (before[inner], turned)]
+    assert np.arccos(directions[0] @ directions[1]) == pytest.approx(0.1, abs=0.002)
+    heights = [ifcopenshell.util.element.get_psets(next(w for w in ifcopenshell.open(str(output / name)).by_type("IfcWall") if w.Tag == str(inner)))
+               ["Qto_WallBaseQuantities"]["Height"] for name in ("unmoved.ifc", "scaled.ifc")]
+    assert heights[1] == pytest.approx(heights[0] / 2, abs=0.002)
+    # and so is its move; those that meet it still do.
     for end in (1, 2):
         assert np.linalg.norm(moved[inner][end] - before[inner][end]) == pytest.approx(0.3, abs=0.002)
     joints = [len(ifcopenshell.open(str(output / name)).by_type("IfcRelConnectsPathElements")) for name in ("unmoved.ifc", "moved.ifc")]

@@ -7,6 +7,7 @@
 
 #include <map>
 
+#include <ccGLWindowInterface.h>
 #include <ccPickingHub.h>
 
 namespace
@@ -78,6 +79,17 @@ void Driver::shoot(QWidget* widget, const QString& name)
     widget->grab().save(output(name + ".png"));
 }
 
+void Driver::showMetaData()
+{
+    QApplication::processEvents();
+    auto* view = m_app.getMainWindow()->findChild<QTreeView*>("propertiesTreeView");
+    for (int row = 0; view && view->model() && row < view->model()->rowCount(); ++row)
+    {
+        if (view->model()->index(row, 0).data().toString() == "Meta data")
+            view->scrollTo(view->model()->index(row, 0), QAbstractItemView::PositionAtTop);
+    }
+}
+
 QMenu* Driver::pluginsMenu()
 {
     return subMenu(m_app.getMainWindow()->menuBar()->actions(), "Plugins");
@@ -131,6 +143,23 @@ std::size_t Driver::entityCount()
     return all.size();
 }
 
+std::vector<ccHObject*> Driver::labels()
+{
+    ccHObject::Container found;
+    m_app.dbRootObject()->filterChildren(found, true, CC_TYPES::LABEL_2D, true);
+    return {found.begin(), found.end()};
+}
+
+bool Driver::isInTheMiddle(const CCVector3d& place)
+{
+    constexpr double kNear_px = 3;
+    ccGLCameraParameters camera;
+    m_app.getActiveGLWindow()->getGLCameraParameters(camera);
+    CCVector3d seen;
+    camera.project(place, seen);
+    return std::hypot(seen.x - camera.viewport[2] / 2.0, seen.y - camera.viewport[3] / 2.0) < kNear_px;
+}
+
 void Driver::unselectAll()
 {
     const ccHObject::Container selection = m_app.getSelectedEntities();
@@ -179,7 +208,7 @@ void Driver::selectBoth()
 
 void Driver::whenShown(const QString& name, const std::function<void(QWidget*)>& inside, int tries)
 {
-    QTimer::singleShot(100, this,
+    QTimer::singleShot(100 * slowdown(), this,
                        [=, this]
                        {
                            QWidget* widget = QApplication::activeModalWidget();
@@ -265,13 +294,12 @@ void Driver::cancel(QWidget* progress, ProcessorTime& sinceCancel)
 void Driver::checkCancelled(const ProcessorTime& sinceCancel, const QString& when)
 {
     constexpr qint64 kPromise_ms = 500;
-    constexpr qint64 kWaited_ms = 20000;                                      // on a busy machine
-    const qint64 slowdown = qEnvironmentVariableIsSet("LD_PRELOAD") ? 5 : 1;  // with sanitizers, as everything
+    constexpr qint64 kWaited_ms = 20000;  // on a busy machine
     if (!sinceCancel.isRunning())
         return check(false, "cancelled " + when);
     const qint64 busy_ms = sinceCancel.busiest_ms();
     const qint64 passed_ms = sinceCancel.elapsed_ms();
-    check(busy_ms < slowdown * kPromise_ms && passed_ms < kWaited_ms,
+    check(busy_ms < slowdown() * kPromise_ms && passed_ms < slowdown() * kWaited_ms,
           QString("cancelled %1: ended after %2 ms of work, %3 ms later").arg(when).arg(busy_ms).arg(passed_ms));
 }
 
@@ -287,5 +315,5 @@ QWidget* Driver::shown(const QString& name)
 
 bool Driver::waitFor(const std::function<bool()>& condition, int timeout_ms)
 {
-    return QTest::qWaitFor(condition, timeout_ms);
+    return QTest::qWaitFor(condition, slowdown() * timeout_ms);
 }

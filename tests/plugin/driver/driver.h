@@ -42,6 +42,12 @@
 
 #include "processor_time.h"
 
+/// How much longer everything may take: sanitizers are slow.
+[[nodiscard]] inline int slowdown()
+{
+    return qEnvironmentVariableIsSet("LD_PRELOAD") ? 5 : 1;
+}
+
 class Driver : public QObject
 {
 public:
@@ -59,6 +65,9 @@ public:
     void shoot(const QString& name);
     /// One window or list, as an artefact.
     void shoot(QWidget* widget, const QString& name);
+
+    /// Scrolls the Properties to what the plugin says of the selected entity.
+    void showMetaData();
 
     [[nodiscard]] QMenu* pluginsMenu();  ///< Plugins
     [[nodiscard]] QMenu* menu();         ///< Plugins > Scan to BIM
@@ -83,6 +92,12 @@ public:
         }
         return found;
     }
+
+    /// The labels in the tree.
+    [[nodiscard]] std::vector<ccHObject*> labels();
+    /// Whether a place is in the middle of the view. The pivot would not tell: CloudCompare sets it to what is drawn
+    /// there.
+    [[nodiscard]] bool isInTheMiddle(const CCVector3d& place);
 
     void unselectAll();
     void select(ccHObject* entity);

@@ -121,6 +121,7 @@ void dialog(Driver& driver)
     driver.reconstructQuietly(
         [&](QWidget* dialog)
         {
+            dialog->findChild<QLineEdit*>("ifcPath")->setText("small.ifc");  // not this machine's folders
             driver.shoot(dialog, "dialog");
             tryPresets(driver, dialog);
             tabsOf(dialog)->setCurrentIndex(2);
@@ -134,6 +135,13 @@ void dialog(Driver& driver)
     const QString elevation = storeys.empty() ? QString() : storeys.front()->getMetaData("Elevation").toString();
     driver.check(std::abs(elevation.section(' ', 0, 0).toDouble() - floor_m) < 0.002,
                  QString("the run takes the dragged floor %1: %2").arg(floor_m).arg(elevation));
+
+    driver.select(driver.model());
+    driver.action("S2B.Levels")->trigger();
+    QTest::qWait(300);
+    const auto again = driver.named("Level 0");
+    driver.check(again.size() == 1 && again.front()->getMetaData("Elevation").toString() == elevation,
+                 "and so does the stage Levels alone");
 
     driver.select(driver.cloud());
     driver.whenShown("S2BReconstructDlg",

@@ -7,6 +7,7 @@
 #include <QPlainTextEdit>
 
 #include <BinFilter.h>
+#include <cc2DLabel.h>
 #include <ccPickingHub.h>
 
 namespace
@@ -86,6 +87,47 @@ void moveWithCloudCompare(Driver& driver, unsigned inner)
     driver.check(std::abs((centerOf(wall) - before).norm() - kMove_m) < 1e-4, "CloudCompare moved the wall");
     driver.check(driver.exportModel("moved.ifc"), "a moved wall can be exported");
     std::printf("moved %u\n", inner);
+}
+
+/// Turned about its middle and back: what CloudCompare's tools do to an element is read from its entity.
+void turnWithCloudCompare(Driver& driver, unsigned inner)
+{
+    constexpr float kTurn_rad = 0.1F;
+    for (const float angle_rad : {kTurn_rad, -kTurn_rad})
+    {
+        ccMesh* wall = wallOf(driver, inner);
+        const CCVector3 middle = centerOf(wall);
+        ccGLMatrix turn;
+        turn.initFromParameters(angle_rad, CCVector3(0, 0, 1), CCVector3(0, 0, 0));
+        const CCVector3 turned = turn * middle;
+        turn.setTranslation(middle - turned);
+        driver.applyTransformation(wall, turn);
+        if (angle_rad > 0)
+            driver.check(driver.exportModel("turned.ifc"), "a turned wall can be exported");
+    }
+}
+
+/// Half as high with the tool Multiply/Scale, and back.
+void scaleWithCloudCompare(Driver& driver, unsigned inner)
+{
+    for (const double factor : {0.5, 2.0})
+    {
+        driver.select(wallOf(driver, inner));
+        driver.whenShown(
+            "ScaleDialog",
+            [&driver, factor](QWidget* dialog)
+            {
+                dialog->findChild<QCheckBox*>("sameForAllCheckBox")->setChecked(false);
+                dialog->findChild<QCheckBox*>("keepInPlaceCheckBox")->setChecked(true);
+                for (const char* axis : {"fxSpinBox", "fySpinBox", "fzSpinBox"})
+                    dialog->findChild<QDoubleSpinBox*>(axis)->setValue(QString(axis) == "fzSpinBox" ? factor : 1.0);
+                driver.press(dialog, QDialogButtonBox::Ok);
+            });
+        driver.app().getMainWindow()->findChild<QAction*>("actionApplyScale")->trigger();
+        QTest::qWait(100);
+        if (factor < 1)
+            driver.check(driver.exportModel("scaled.ifc"), "a scaled wall can be exported");
+    }
 }
 
 void useThePanel(Driver& driver, unsigned inner, unsigned outer)
@@ -187,6 +229,8 @@ void edit(Driver& driver)
         return driver.check(false, "there is a model");
     const auto [inner, outer] = innerAndOuter(driver);
     driver.check(driver.exportModel("unmoved.ifc"), "the model can be exported");
+    turnWithCloudCompare(driver, inner);
+    scaleWithCloudCompare(driver, inner);
     moveWithCloudCompare(driver, inner);
     useThePanel(driver, inner, outer);
     addWall(driver, inner);
@@ -219,11 +263,34 @@ void edit(Driver& driver)
     driver.check(isSaved && QFile::exists(file), "everything was saved");
 }
 
+/// Labels say what they said and lead where they led.
+void findingsAreBack(Driver& driver)
+{
+    const auto labels = driver.labels();
+    driver.check(!labels.empty(), QString("findings are there again: %1").arg(labels.size()));
+    driver.app().setView(CC_ISO_VIEW_1);
+    for (ccHObject* entity : labels)
+    {
+        auto* label = static_cast<cc2DLabel*>(entity);
+        driver.app().setGlobalZoom();
+        driver.clickInTree(label);
+        const CCVector3d place = label->size() ? label->getPickedPoint(0).getPointPosition().toDouble() : CCVector3d();
+        driver.check(!label->getMetaData("Text").toString().isEmpty() && label->size() == 1 &&
+                         driver.waitFor([&] { return driver.isInTheMiddle(place); }, 5000),
+                     label->getName() + " leads to its place");
+    }
+    driver.select(driver.model());
+    driver.action("S2B.Findings")->trigger();
+    auto* list = driver.app().getMainWindow()->findChild<QTreeWidget*>("findings");
+    driver.check(list && list->topLevelItemCount() == static_cast<int>(labels.size()), "and are listed");
+}
+
 /// In a new process, from the file.
 void edited(Driver& driver)
 {
     if (!driver.model())
         return driver.check(false, "the model is there again");
+    findingsAreBack(driver);
     const auto partitions = driver.named<ccMesh>("Partition");
     driver.check(partitions.size() == 1, "names are there again");
     driver.check(driver.exportModel("reopened.ifc"), "the model can be exported as it was");

@@ -5,37 +5,18 @@
 #include <QDockWidget>
 
 #include <cc2DLabel.h>
-#include <ccGLWindowInterface.h>
 
 namespace
 {
 
-std::vector<ccHObject*> labelsOf(Driver& driver)
-{
-    ccHObject::Container labels;
-    driver.app().dbRootObject()->filterChildren(labels, true, CC_TYPES::LABEL_2D, true);
-    return {labels.begin(), labels.end()};
-}
-
-CCVector3d placeOf(ccHObject* label)
-{
-    return static_cast<cc2DLabel*>(label)->getPickedPoint(0).getPointPosition().toDouble();
-}
-
-/// Whether a place is in the middle of the view. The pivot would not tell: CloudCompare sets it to what is drawn there.
 bool isLookedAt(Driver& driver, ccHObject* label)
 {
-    constexpr double kNear_px = 3;
-    ccGLCameraParameters camera;
-    driver.app().getActiveGLWindow()->getGLCameraParameters(camera);
-    CCVector3d seen;
-    camera.project(placeOf(label), seen);
-    return std::hypot(seen.x - camera.viewport[2] / 2.0, seen.y - camera.viewport[3] / 2.0) < kNear_px;
+    return driver.isInTheMiddle(static_cast<cc2DLabel*>(label)->getPickedPoint(0).getPointPosition().toDouble());
 }
 
 void checkList(Driver& driver, QTreeWidget* list)
 {
-    const auto labels = labelsOf(driver);
+    const auto labels = driver.labels();
     driver.check(!labels.empty() && list->topLevelItemCount() == static_cast<int>(labels.size()),
                  QString("each of %1 findings has a label and a row").arg(labels.size()));
     driver.app().setView(CC_ISO_VIEW_1);
@@ -58,7 +39,7 @@ void checkList(Driver& driver, QTreeWidget* list)
 
 void checkTree(Driver& driver)
 {
-    for (ccHObject* label : labelsOf(driver))
+    for (ccHObject* label : driver.labels())
     {
         driver.app().setGlobalZoom();
         driver.clickInTree(label);
@@ -85,7 +66,7 @@ void findings(Driver& driver)
     driver.unselectAll();
     driver.action("S2B.Findings")->trigger();
     driver.check(dock->isVisible(), "the list comes back");
-    ccHObject* label = labelsOf(driver).front();
+    ccHObject* label = driver.labels().front();
     const int rows = list->topLevelItemCount();
     driver.unselectAll();
     driver.app().removeFromDB(label);

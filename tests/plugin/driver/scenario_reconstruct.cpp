@@ -29,8 +29,8 @@ void checkTree(Driver& driver)
         if (wall->getParent()->getName() != "Walls" || wall->getParent()->getParent()->getName() != "Level 0")
             return driver.check(false, "walls are below storey > Walls");
     }
-    driver.check(!walls.empty() && walls.front()->hasMetaData("Thickness") && walls.front()->hasMetaData("Length"),
-                 "a wall's dimensions are meta data");
+    for (const char* key : {"Length", "Thickness", "Height", "Evidence: points", "Evidence: RMS"})
+        driver.check(!walls.empty() && walls.front()->hasMetaData(key), QString("a wall's properties: %1").arg(key));
     driver.check(
         !walls.empty() && walls.front()->getAssociatedCloud()->getGlobalShift().x == driver.cloud()->getGlobalShift().x,
         "the model lies over the cloud");
@@ -47,6 +47,7 @@ void showResult(Driver& driver)
     const auto walls = driver.named<ccMesh>("Wall ");
     if (!walls.empty())
         driver.select(walls.front());
+    driver.showMetaData();
     driver.app().redrawAll();
     driver.shoot("model");
     driver.cloud()->setEnabled(true);
@@ -103,7 +104,7 @@ void reconstruct(Driver& driver)
                                       "the classes are listed");
                          auto* thickness = dialog->findChild<QDoubleSpinBox*>("walls.defaultThickness");
                          thickness->setValue(0.18);
-                         driver.shoot("dialog");
+                         driver.shoot("dialog_in_window");
                          dialog->findChild<QTabWidget*>("tabs")->setCurrentIndex(1);
                          bool isShown = false;
                          for (auto* box : dialog->findChildren<QDoubleSpinBox*>("walls.defaultThickness"))

@@ -24,6 +24,7 @@ void segment(Driver& driver)
                      [&](QWidget* dialog)
                      {
                          auto* ok = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+                         driver.shoot(dialog, "segment_dialog");
                          chooseModel(dialog, qEnvironmentVariable("S2B_DRIVER_BAD_MODEL"));
                          driver.check(!ok->isEnabled(), "a file that is no model can't be used");
                          driver.check(dialog->findChild<QLabel*>("hint")->text().contains("no ONNX model"),
@@ -32,7 +33,7 @@ void segment(Driver& driver)
                          driver.check(ok->isEnabled(), "a model can be used");
                          driver.check(dialog->findChild<QLabel*>("model")->text().contains("floor, ceiling, wall"),
                                       "its classes are shown");
-                         driver.shoot("segment_dialog");
+                         driver.shoot(dialog, "segment_dialog_own_model");
                          driver.press(dialog, QDialogButtonBox::Ok);
                      });
     driver.action("S2B.Segment")->trigger();
@@ -51,8 +52,10 @@ void segment(Driver& driver)
     const auto share = [&](std::size_t code)
     { return static_cast<double>(counts[code]) / static_cast<double>(classes->currentSize()); };
     driver.check(share(1) > 0.05 && share(2) > 0.05 && share(3) > 0.2, "floor, ceiling and walls were found");
-    driver.app().refreshAll();
-    QTest::qWait(300);
+    driver.unselectAll();
+    driver.app().setView(CC_ISO_VIEW_1);
+    driver.app().setGlobalZoom();
+    driver.app().redrawAll();
     driver.shoot("segment_result");
 
     // Once more, cancelled at once: the fields stay as they are.

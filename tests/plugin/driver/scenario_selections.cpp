@@ -31,13 +31,14 @@ void selections(Driver& driver)
 {
     ccPointCloud* cloud = driver.cloud();
     QAction* reconstruct = driver.action("S2B.Reconstruct");
-    for (const char* name :
-         {"Reconstruct", "ExportIfc", "Validate", "FloorPlan", "Findings", "ValidationTable", "Help"})
-    {
-        QAction* action = driver.action(QString("S2B.") + name);
-        driver.check(action && !action->icon().isNull() && action->toolTip().size() > 20,
-                     QString("%1 has an icon and a tool tip").arg(name));
-    }
+    for (const QAction* action : driver.menu()->actions())
+        driver.check(!action->icon().isNull() && action->toolTip().size() > 20,
+                     action->text() + " has an icon and a tool tip");
+    driver.unselectAll();
+    for (const char* name : {"Reconstruct", "Segment", "Levels", "Walls", "Doors", "Columns", "Rooms", "Translucent",
+                             "ExportIfc", "Validate", "FloorPlan"})
+        driver.check(driver.action(QString("S2B.") + name) && !driver.action(QString("S2B.") + name)->isEnabled(),
+                     QString("%1 needs a selection").arg(name));
     driver.select(cloud->getParent());
     driver.check(!reconstruct->isEnabled(), "a group is no cloud");
     auto* mesh = new ccMesh(cloud);

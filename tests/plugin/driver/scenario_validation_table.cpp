@@ -88,6 +88,7 @@ void validationTable(Driver& driver)
     if (!dock)
         return;
     auto* table = dock->findChild<QTableView*>("elements");
+    driver.check(driver.waitFor([&] { return !table->visibleRegion().isEmpty(); }, 5000), "before the other lists");
     driver.check(table->model()->rowCount() > 8, QString("%1 elements are listed").arg(table->model()->rowCount()));
     checkSorting(driver, table);
     checkFilters(driver, dock, table);
@@ -99,6 +100,9 @@ void validationTable(Driver& driver)
     const auto selection = driver.app().getSelectedEntities();
     driver.check(selection.size() == 1 && selection.front()->getMetaData("No.").toString() == cell(table, 0, 0),
                  "a row selects its element");
+    driver.check(selection.size() == 1 &&
+                     driver.isInTheMiddle(selection.front()->getDisplayBB_recursive(false).getCenter().toDouble()),
+                 "and takes the camera there");
     driver.app().setGlobalZoom();
     driver.shoot("validation_table");
     exportReport(driver, dock);

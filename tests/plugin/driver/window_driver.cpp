@@ -34,7 +34,7 @@ public:
     {
         m_driver = std::make_unique<Driver>(*m_app);
         QTimer::singleShot(kStart_ms, this, &WindowDriver::run);
-        QTimer::singleShot(kWatchdog_ms, this,
+        QTimer::singleShot(slowdown() * kWatchdog_ms, this,
                            [this]
                            {
                                m_driver->check(false, "the scenario ended in time");
