@@ -143,7 +143,8 @@ void S2BEditPanel::show(const s2b::Model& model)
 	if (m_root)
 	{
 		const QString place = isOne ? QString::fromStdString(nameOf(building, storeyOf(building, id))) : m_root->getName();
-		const QString state = !isOne                               ? tr("%1 elements").arg(m_ids.size())
+		const QString state = m_ids.empty()                        ? tr("no element is selected")
+		                      : !isOne                             ? tr("%1 elements").arg(m_ids.size())
 		                      : nameOf(model.found, id).empty()    ? tr("added by hand")
 		                      : differs(model.found, building, id) ? tr("corrected")
 		                                                           : tr("as reconstructed");

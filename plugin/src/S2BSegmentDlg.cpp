@@ -14,11 +14,13 @@
 #include <QRadioButton>
 #include <QSettings>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace
 {
 	const QString kSettings = "qScanToBim";
-}
+	constexpr int kWidth_px = 560;
+} // namespace
 
 S2BSegmentDlg::S2BSegmentDlg(const QString& subject, bool hasColors, QWidget* parent)
     : QDialog(parent, Qt::Tool)
@@ -74,8 +76,8 @@ S2BSegmentDlg::S2BSegmentDlg(const QString& subject, bool hasColors, QWidget* pa
 	connect(m_own, &QRadioButton::toggled, this, &S2BSegmentDlg::updateModel);
 	connect(m_path, &QLineEdit::textChanged, this, &S2BSegmentDlg::updateModel);
 	connect(m_browse, &QPushButton::clicked, this, &S2BSegmentDlg::browse);
+	resize(kWidth_px, 0);
 	updateModel();
-	resize(560, minimumSizeHint().height());
 }
 
 void S2BSegmentDlg::browse()
@@ -113,7 +115,11 @@ void S2BSegmentDlg::updateModel()
 	}
 	if (!hint.isEmpty())
 		m_hint->setText("<span style='color:#b00020'>" + hint.toHtmlEscaped() + "</span>");
+	m_hint->setVisible(!hint.isEmpty());
 	m_buttons->button(QDialogButtonBox::Ok)->setEnabled(hint.isEmpty());
+	// Texts of another length need another height, or they are cut off.
+	layout()->activate();
+	resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));
 }
 
 QString S2BSegmentDlg::modelPath() const

@@ -85,7 +85,7 @@ void Driver::showMetaData()
     auto* view = m_app.getMainWindow()->findChild<QTreeView*>("propertiesTreeView");
     for (int row = 0; view && view->model() && row < view->model()->rowCount(); ++row)
     {
-        if (view->model()->index(row, 0).data().toString() == "Meta data")
+        if (view->model()->index(row, 0).data(Qt::AccessibleDescriptionRole).toString() == "Meta data")
             view->scrollTo(view->model()->index(row, 0), QAbstractItemView::PositionAtTop);
     }
 }

@@ -244,10 +244,12 @@ void edit(Driver& driver)
     wallOf(driver, outer)->setEnabled(false);  // hidden, not gone
 
     driver.cloud()->setEnabled(false);
-    driver.select(driver.model());
+    driver.unselectAll();
     driver.app().setView(CC_ISO_VIEW_1);
     driver.app().setGlobalZoom();
+    driver.app().redrawAll();
     driver.shoot("edited_model");
+    driver.select(driver.model());
     driver.action("S2B.Translucent")->trigger();
     driver.unselectAll();
     driver.app().redrawAll();

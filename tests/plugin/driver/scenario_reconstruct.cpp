@@ -47,8 +47,9 @@ void showResult(Driver& driver)
     const auto walls = driver.named<ccMesh>("Wall ");
     if (!walls.empty())
         driver.select(walls.front());
-    driver.showMetaData();
     driver.app().redrawAll();
+    QTest::qWait(300);
+    driver.showMetaData();
     driver.shoot("model");
     driver.cloud()->setEnabled(true);
 }

@@ -6,6 +6,7 @@
 // S2B_DRIVER_SCENARIO says what to do, S2B_DRIVER_OUTPUT where the screenshots go.
 #include "driver.h"
 
+#include <QListWidget>
 #include <QToolBar>
 
 #include <memory>
@@ -59,6 +60,8 @@ private:
             if (bar->actions().isEmpty())
                 bar->hide();
         }
+        if (auto* console = m_app->getMainWindow()->findChild<QListWidget*>("consoleWidget"))
+            console->clear();
         if (ccPointCloud* cloud = m_driver->cloud())
             cloud->getParent()->setName("scan.bin");
     }
