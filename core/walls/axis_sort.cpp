@@ -78,7 +78,6 @@ double wallWeight(const SurfaceCells& cells, const SurfaceCell& cell)
             return cell.labelShare / 255.0;
         case Label::Column:
         case Label::Door:
-        case Label::Window:
         case Label::Furniture:
             return 0.0;
         default:

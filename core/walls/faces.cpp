@@ -99,8 +99,7 @@ std::vector<Face> gather(const std::vector<FaceLine>& lines, const SurfaceCells&
             continue;
         const double weight = wallWeight(cells, c);
         // An open leaf that a model takes for wall in part is a leaf by the rest.
-        const bool isLeaf = cells.hasGuesses && c.label == Label::Door;
-        if ((c.label == Label::Door && !isLeaf) || c.label == Label::Window)
+        if (!cells.hasGuesses && (c.label == Label::Door || c.label == Label::Window))
             continue;
         const Eigen::Vector2d p = c.position.head<2>().cast<double>();
         const int k = gatherer.nearest(lines, p, c.normal.head<2>().cast<double>());
