@@ -37,13 +37,13 @@ public:
 private:
     struct Placed
     {
-        Instance instance = nullptr;
-        Instance placement = nullptr;
+        Instance instance;
+        Instance placement;
     };
     struct ElementType
     {
         std::string key;
-        Instance instance = nullptr;
+        Instance instance;
         InstanceList objects;
     };
     struct Container
@@ -89,8 +89,8 @@ private:
     Builder m_builder;
     Shapes m_shapes;
     Properties m_properties;
-    Instance m_metre = nullptr;
-    Instance m_buildingPlacement = nullptr;
+    Instance m_metre;
+    Instance m_buildingPlacement;
     std::map<ElementId, Placed> m_storeys;
     std::map<ElementId, Placed> m_walls;
     std::map<ElementId, const Wall*> m_wallById;

@@ -90,16 +90,16 @@ void Model::addMapConversion(int epsg)
 void Model::addSite(Instance project)
 {
     const Frame& frame = m_building.frame;
-    Instance sitePlacement = nullptr;
+    Instance sitePlacement;
     Builder::Value datum;
     if (m_options.epsg)
     {
         addMapConversion(*m_options.epsg);
-        sitePlacement = m_shapes.placement(nullptr, Eigen::Vector3d::Zero());
+        sitePlacement = m_shapes.placement({}, Eigen::Vector3d::Zero());
         datum = frame.origin.z();
     }
     else
-        sitePlacement = m_shapes.placement(nullptr, frame.origin, {std::cos(frame.yaw_rad), std::sin(frame.yaw_rad)});
+        sitePlacement = m_shapes.placement({}, frame.origin, {std::cos(frame.yaw_rad), std::sin(frame.yaw_rad)});
     m_buildingPlacement = m_shapes.placement(sitePlacement, Eigen::Vector3d::Zero());
 
     const Instance site = m_builder.add("IfcSite", {{"GlobalId", guid("site")},

@@ -60,7 +60,7 @@ const char* provenanceName(Provenance provenance)
 Instance Properties::single(const Property& property, const std::string& content)
 {
     Instance& instance = m_singleByContent[content];
-    if (instance == nullptr)
+    if (!instance)
         instance =
             property.isEnumerated
                 ? m_builder.add("IfcPropertyEnumeratedValue",

@@ -74,7 +74,7 @@ Instance Shapes::point(const std::vector<double>& coordinates)
 Instance Shapes::direction(const std::vector<double>& ratios)
 {
     Instance& instance = m_directions[ratios];
-    if (instance == nullptr)
+    if (!instance)
         instance = m_builder.add("IfcDirection", {{"DirectionRatios", ratios}});
     return instance;
 }
@@ -84,7 +84,7 @@ Instance Shapes::axes(const Eigen::Vector3d& origin, const Eigen::Vector2d& x)
     if (x == Eigen::Vector2d::UnitX())
     {
         Instance& instance = m_origins[{origin.x(), origin.y(), origin.z()}];
-        if (instance == nullptr)
+        if (!instance)
             instance =
                 m_builder.add("IfcAxis2Placement3D", {{"Location", point({origin.x(), origin.y(), origin.z()})}});
         return instance;
@@ -274,7 +274,7 @@ Instance Shapes::arc(const Eigen::Vector2d& a, const Eigen::Vector2d& middle, co
 Instance Shapes::paint(Instance item, Style style)
 {
     Instance& instance = m_styles[style];
-    if (instance == nullptr)
+    if (!instance)
     {
         const Colour colour = colourOf(style);
         const Instance rgb =
@@ -305,7 +305,7 @@ Instance Shapes::shape(const Representation& parts)
     InstanceList representations;
     if (!parts.footPrint.empty())
         representations.push_back(representation(m_footPrint, "FootPrint", "Curve2D", parts.footPrint));
-    if (parts.axis != nullptr)
+    if (parts.axis)
         representations.push_back(representation(m_axis, "Axis", "Curve2D", {parts.axis}));
     representations.push_back(representation(m_body, "Body", parts.bodyType, parts.body));
     return m_builder.add("IfcProductDefinitionShape", {{"Representations", representations}});

@@ -46,7 +46,7 @@ public:
 
     [[nodiscard]] Instance modelContext() const { return m_model; }
 
-    /// Placement relative to another (null: the world): origin, and the x axis' direction in plan.
+    /// Placement relative to another (none: the world): origin, and the x axis' direction in plan.
     Instance placement(Instance relativeTo, const Eigen::Vector3d& origin,
                        const Eigen::Vector2d& x = Eigen::Vector2d::UnitX());
 
@@ -74,7 +74,7 @@ public:
     {
         InstanceList body;
         const char* bodyType = "SweptSolid";
-        Instance axis = nullptr;
+        Instance axis;
         InstanceList footPrint;
     };
     Instance shape(const Representation& representation);
@@ -93,10 +93,10 @@ private:
     Instance representation(Instance context, const char* identifier, const char* type, const InstanceList& items);
 
     Builder& m_builder;
-    Instance m_model = nullptr;
-    Instance m_body = nullptr;
-    Instance m_axis = nullptr;
-    Instance m_footPrint = nullptr;
+    Instance m_model;
+    Instance m_body;
+    Instance m_axis;
+    Instance m_footPrint;
     std::map<std::vector<double>, Instance> m_directions;
     std::map<std::array<double, 3>, Instance> m_origins;  // axis placements without a rotation
     std::map<Style, Instance> m_styles;
