@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/validation/face_cells.h"
 
+#include "core/base/parallel.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -16,7 +18,8 @@ namespace
 {
 
 constexpr float kCell_m = 0.10F;
-constexpr int kSamples = 4;             ///< per cell and direction, for its area
+constexpr int kSamples = 4;  ///< per cell and direction, for its area
+constexpr std::size_t kGridChunk = 64;
 constexpr float kMostCells = 1e5F;      ///< of one grid: larger faces have larger cells
 constexpr float kSameNormal = 0.01F;    ///< faces whose normals differ less ...
 constexpr float kSamePlane_m = 0.005F;  ///< ... and that lie so near to each other are one plane
@@ -42,10 +45,10 @@ std::size_t FaceCells::Grid::cellAt(const Eigen::Vector2f& at) const
     const Eigen::Vector2f q = (at - low).cwiseQuotient(step);
     const int column = std::clamp(static_cast<int>(std::floor(q.x())), 0, columns - 1);
     const int row = std::clamp(static_cast<int>(std::floor(q.y())), 0, rows - 1);
-    return first + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+    return cell(column, row);
 }
 
-FaceCells::FaceCells(const std::vector<SurfaceTriangle>& triangles)
+FaceCells::FaceCells(const std::vector<SurfaceTriangle>& triangles, const Context& context)
 {
     std::map<PlaneKey, std::uint32_t> known;
     std::vector<Eigen::Vector2f> high;
@@ -93,8 +96,16 @@ FaceCells::FaceCells(const std::vector<SurfaceTriangle>& triangles)
             m_cells[c].column = columns + static_cast<int>((c - grid.first) % static_cast<std::size_t>(grid.columns));
         columns += grid.columns;
     }
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-        addArea(triangles[t], m_grids[m_gridOf[t]]);
+    std::vector<std::vector<std::uint32_t>> trianglesOf(m_grids.size());
+    for (std::uint32_t t = 0; t < triangles.size(); ++t)
+        trianglesOf[m_gridOf[t]].push_back(t);
+    parallelChunks(m_grids.size(), kGridChunk, context,
+                   [&](std::size_t begin, std::size_t end)
+                   {
+                       for (std::size_t g = begin; g < end; ++g)
+                           for (const std::uint32_t t : trianglesOf[g])
+                               addArea(triangles[t], m_grids[g]);
+                   });
     for (Cell& cell : m_cells)
         if (cell.area_m2 > 0.0F)
             cell.center /= cell.area_m2;
@@ -109,35 +120,71 @@ std::size_t FaceCells::cellAt(std::uint32_t triangle, const Eigen::Vector3f& poi
 /// Divides the triangle's area among the cells by samples on a lattice that all triangles of the plane share.
 void FaceCells::addArea(const SurfaceTriangle& triangle, const Grid& grid)
 {
-    const Eigen::Vector2f a = grid.local(triangle.a);
-    const Eigen::Vector2f b = grid.local(triangle.b);
-    const Eigen::Vector2f c = grid.local(triangle.c);
+    const std::array<Eigen::Vector2f, 3> corners = {grid.local(triangle.a), grid.local(triangle.b),
+                                                    grid.local(triangle.c)};
+    const float twice = cross(corners[1] - corners[0], corners[2] - corners[0]);
     const float depth = triangle.normal.dot(triangle.a);
-    const float twice = cross(b - a, c - a);
-    const float side = twice < 0.0F ? -1.0F : 1.0F;
     const Eigen::Vector2f step = grid.step / static_cast<float>(kSamples);
-    const auto index = [&](float x, float low, float width) { return static_cast<int>(std::floor((x - low) / width)); };
-    const Eigen::Vector2f low = a.cwiseMin(b).cwiseMin(c);
-    const Eigen::Vector2f high = a.cwiseMax(b).cwiseMax(c);
-    std::vector<Eigen::Vector2f> samples;
-    for (int i = index(low.x(), grid.low.x(), step.x()); i <= index(high.x(), grid.low.x(), step.x()); ++i)
-        for (int j = index(low.y(), grid.low.y(), step.y()); j <= index(high.y(), grid.low.y(), step.y()); ++j)
-        {
-            const Eigen::Vector2f p = grid.low + step.cwiseProduct(Eigen::Vector2f(static_cast<float>(i) + 0.5F,
-                                                                                   static_cast<float>(j) + 0.5F));
-            if (side * cross(b - a, p - a) >= 0.0F && side * cross(c - b, p - b) >= 0.0F &&
-                side * cross(a - c, p - c) >= 0.0F)
-                samples.push_back(p);
-        }
-    if (samples.empty())
-        samples.emplace_back((a + b + c) / 3.0F);
-    const float share = 0.5F * std::abs(twice) / static_cast<float>(samples.size());
-    for (const Eigen::Vector2f& p : samples)
+    const auto index = [](float x) { return static_cast<int>(std::floor(x)); };
+
+    // Of each row of samples, the first and the last one within.
+    struct Run
     {
-        Cell& cell = m_cells[grid.cellAt(p)];
-        cell.area_m2 += share;
-        cell.center += share * (p.x() * grid.u + p.y() * grid.v + depth * grid.normal);
+        int row, first, last;
+    };
+    std::vector<Run> runs;
+    int samples = 0;
+    const float bottom = std::min({corners[0].y(), corners[1].y(), corners[2].y()});
+    const float top = std::max({corners[0].y(), corners[1].y(), corners[2].y()});
+    const int lowest = std::max(0, index((bottom - grid.low.y()) / step.y()));
+    const int highest = std::min(grid.rows * kSamples - 1, index((top - grid.low.y()) / step.y()));
+    for (int row = lowest; row <= highest; ++row)
+    {
+        const float y = grid.low.y() + step.y() * (static_cast<float>(row) + 0.5F);
+        if (y < bottom || y > top)
+            continue;
+        float low = grid.low.x();
+        float high = grid.low.x() + static_cast<float>(grid.columns) * grid.step.x();
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+            const Eigen::Vector2f& from = corners[k];
+            const Eigen::Vector2f edge = corners[(k + 1) % 3] - from;
+            const bool isRising = (edge.y() > 0.0F) == (twice > 0.0F);  // the triangle is on its left
+            if (edge.y() == 0.0F)
+                continue;  // parallel to the row, which is between bottom and top
+            const float x = from.x() + edge.x() * (y - from.y()) / edge.y();
+            (isRising ? high : low) = isRising ? std::min(high, x) : std::max(low, x);
+        }
+        const int first = std::max(0, index((low - grid.low.x()) / step.x() + 0.5F));
+        const int last = std::min(grid.columns * kSamples - 1, index((high - grid.low.x()) / step.x() - 0.5F));
+        if (first > last)
+            continue;
+        runs.push_back({row, first, last});
+        samples += last - first + 1;
     }
+    const auto add = [&](std::size_t cell, float area, float x, float y)
+    {
+        m_cells[cell].area_m2 += area;
+        m_cells[cell].center += area * (x * grid.u + y * grid.v + depth * grid.normal);
+    };
+    const float area = 0.5F * std::abs(twice);
+    if (samples == 0)
+    {
+        const Eigen::Vector2f middle = (corners[0] + corners[1] + corners[2]) / 3.0F;
+        add(grid.cellAt(middle), area, middle.x(), middle.y());
+        return;
+    }
+    const float share = area / static_cast<float>(samples);
+    for (const Run& run : runs)
+        for (int from = run.first; from <= run.last;)
+        {
+            const int column = from / kSamples;
+            const int to = std::min(run.last, (column + 1) * kSamples - 1);
+            const float middle = 0.5F * static_cast<float>(from + to) + 0.5F;
+            add(grid.cell(column, run.row / kSamples), share * static_cast<float>(to - from + 1),
+                grid.low.x() + step.x() * middle, grid.low.y() + step.y() * (static_cast<float>(run.row) + 0.5F));
+            from = to + 1;
+        }
 }
 
 }  // namespace s2b::validation

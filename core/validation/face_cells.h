@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/context.h"
 #include "core/validation/surface_search.h"
 
 #include <Eigen/Core>
@@ -18,7 +19,8 @@ namespace s2b::validation
 class FaceCells
 {
 public:
-    explicit FaceCells(const std::vector<SurfaceTriangle>& triangles);
+    /// The cells do not depend on the number of threads.
+    FaceCells(const std::vector<SurfaceTriangle>& triangles, const Context& context);
 
     struct Cell
     {
@@ -46,6 +48,11 @@ private:
         std::size_t first = 0;  ///< cell
 
         [[nodiscard]] Eigen::Vector2f local(const Eigen::Vector3f& p) const { return {u.dot(p), v.dot(p)}; }
+        [[nodiscard]] std::size_t cell(int column, int row) const
+        {
+            return first + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                   static_cast<std::size_t>(column);
+        }
         [[nodiscard]] std::size_t cellAt(const Eigen::Vector2f& local) const;
     };
     void addArea(const SurfaceTriangle& triangle, const Grid& grid);

@@ -19,6 +19,7 @@ namespace
 
 constexpr float kSame_m = 2e-5F;
 constexpr double kSliver_m = 1e-5;
+constexpr float kTurned_m = 2e-4F;  // what turning may move a coordinate by, up to a kilometre from the origin
 
 /// The nearest point of a triangle (Ericson, Real-Time Collision Detection, 5.1.5).
 /// @param along  signed distance of p to the plane.
@@ -90,11 +91,25 @@ bool visit(RTCPointQueryFunctionArguments* arguments)
     q.step = step;
     q.facing = facing;
     q.best = {index, distance, along < 0.0F ? -distance : distance, foot};
-    const float tighter = distance + 2.0F * kSame_m;  // what is as near is still to be seen
+    const float tighter = distance + 2.0F * kSame_m + kTurned_m;  // what is as near is still to be seen
     if (tighter >= radius)
         return false;
     arguments->query->radius = tighter;
     return true;
+}
+
+/// Turns most upright faces into the planes of x and y: the boxes of Embree's hierarchy are thin then, where those of
+/// long faces at an angle would reach through whole rooms.
+Eigen::Rotation2Df alignment(const std::vector<SurfaceTriangle>& triangles)
+{
+    Eigen::Vector2f sum = Eigen::Vector2f::Zero();
+    for (const SurfaceTriangle& t : triangles)
+    {
+        const float area = 0.5F * (t.b - t.a).cross(t.c - t.a).norm() * t.normal.head<2>().norm();
+        const float fourfold = 4.0F * std::atan2(t.normal.y(), t.normal.x());  // the same for all four faces of a box
+        sum += area * Eigen::Vector2f(std::cos(fourfold), std::sin(fourfold));
+    }
+    return Eigen::Rotation2Df(-0.25F * std::atan2(sum.y(), sum.x()));
 }
 
 }  // namespace
@@ -128,6 +143,8 @@ struct SurfaceSearch::Engine
 {
     const std::vector<SurfaceTriangle>* triangles = nullptr;
     std::vector<std::uint32_t> which;
+    Eigen::Matrix2f turn =
+        Eigen::Matrix2f::Identity();  ///< into the hierarchy's axes; distances are measured without it
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
     ~Engine()
@@ -144,6 +161,7 @@ SurfaceSearch::SurfaceSearch(const std::vector<SurfaceTriangle>& triangles, std:
 {
     m_engine->triangles = &triangles;
     m_engine->which = std::move(which);
+    m_engine->turn = alignment(triangles).toRotationMatrix();
     m_engine->device = rtcNewDevice(nullptr);
     if (m_engine->device == nullptr)
         throw Error(ErrorCode::Internal, "Embree could not be started");
@@ -163,8 +181,11 @@ SurfaceSearch::SurfaceSearch(const std::vector<SurfaceTriangle>& triangles, std:
             throw Error(ErrorCode::Internal, "Embree has no memory for the surfaces");
         }
         for (const std::uint32_t t : m_engine->which)
-            for (const Eigen::Vector3f& v : {triangles[t].a, triangles[t].b, triangles[t].c})
+            for (Eigen::Vector3f v : {triangles[t].a, triangles[t].b, triangles[t].c})
+            {
+                v.head<2>() = m_engine->turn * v.head<2>().eval();
                 vertices = std::copy(v.begin(), v.end(), vertices);
+            }
         for (std::uint32_t i = 0; i < 3 * count; ++i)
             *indices++ = i;
         rtcCommitGeometry(mesh);
@@ -188,16 +209,18 @@ bool SurfaceSearch::find(const Eigen::Vector3f& point, float range_m, int except
     query.point = point;
     query.except = except;
     RTCPointQuery at{};
-    at.x = point.x();
-    at.y = point.y();
+    const Eigen::Vector2f turned = m_engine->turn * point.head<2>();
+    at.x = turned.x();
+    at.y = turned.y();
     at.z = point.z();
-    at.radius = range_m;
+    at.radius = range_m + kTurned_m;
     RTCPointQueryContext context;
     rtcInitPointQueryContext(&context);
     rtcPointQuery(m_engine->scene, &at, &context, visit, &query);
-    if (query.isFound)
-        nearest = query.best;
-    return query.isFound;
+    if (!query.isFound || query.best.distance_m > range_m)
+        return false;
+    nearest = query.best;
+    return true;
 }
 
 }  // namespace s2b::validation

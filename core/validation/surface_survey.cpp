@@ -141,7 +141,7 @@ public:
           m_params(params),
           m_range(static_cast<float>(params.deviationRange_m)),
           m_triangles(surfaceOf(bim)),
-          m_faces(m_triangles),
+          m_faces(m_triangles, context),
           m_all(m_triangles, indices([](ElementClass) { return true; })),
           m_counts(bim.elements.size() * kBins),
           m_gatherers(bim.elements.size())
