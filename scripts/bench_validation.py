@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """scripts/bench validation: time and memory of the distances of 10 million points to a model of 500 elements or more.
 
-The model and its scan are a simulated building, made once. docs/bench.md has the limit and what was measured.
+The model is a simulated building, the points are drawn on its surfaces. docs/bench.md has the limit and what was measured.
 """
 import argparse
 import json
@@ -13,8 +13,6 @@ from pathlib import Path
 
 LIMIT_S = 5.0  # 10 million points against 500 elements on two idle cores
 LEAST_ELEMENTS = 500
-# Six storeys with a dozen rooms on each side of the corridor: some 600 elements.
-BUILDING = ["--storeys", "6", "--rooms", "12", "--yaw-deg", "23", "--voxel", "0.005"]
 
 
 def fail(text):
@@ -31,29 +29,20 @@ def run(command, what):
 def main():
     parser = argparse.ArgumentParser(prog="scripts/bench validation", description=__doc__.split("\n\n")[0])
     parser.add_argument("--points", type=float, default=10.0, help="millions of points (default: 10)")
-    parser.add_argument("--step-deg", default="1.2", help="angle between the scanner's rays (default: 1.2)")
+    parser.add_argument("--storeys", type=int, default=6, help="of the building (default: 6)")
+    parser.add_argument("--rooms", type=int, default=12, help="of each storey, on each side of its corridor (default: 12)")
+    parser.add_argument("--shuffled", action="store_true", help="points in no order, where a scan's come neighbour by neighbour")
     parser.add_argument("--repetitions", type=int, default=3, help="runs of each (default: 3)")
     parser.add_argument("--threads", type=int, default=0, help="0 = all (default)")
     parser.add_argument("--build", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--data", type=Path, required=True, help=argparse.SUPPRESS)
     options = parser.parse_args()
-    build = options.build.resolve()
-    folder = options.data.resolve() / "validation"
-    folder.mkdir(parents=True, exist_ok=True)
-    model = folder / "model.ifc"
-    scan = folder / f"scan_{options.step_deg}.laz"
-    if not (model.exists() and scan.exists()):
-        print("making the model and its scan", file=sys.stderr)
-        run([build / "tests/simulator/s2b_survey", scan, "--truth-ifc", model, "--step-deg", options.step_deg, *BUILDING],
-            "the survey could not be made")
-    cloud = folder / f"{options.points:g}M.laz"
-    run([build / "tests/bench/s2b_make_clouds", folder, "--points", f"{options.points:g}", "--from", scan],
-        "the cloud could not be made; give a smaller --step-deg for more points")
     load = os.getloadavg()[0]
     print(f"{os.cpu_count()} cores, load {load:.1f} before"
           + (": others use this machine, see the cpu column" if load > 0.5 else ""), flush=True)
-    result = json.loads(run([build / "tests/bench/s2b_deviation_speed", model, cloud, "--repetitions", options.repetitions,
-                             "--threads", options.threads], "the distances could not be measured"))
+    result = json.loads(run([options.build.resolve() / "tests/bench/s2b_deviation_speed", "--points", options.points,
+                             "--storeys", options.storeys, "--rooms", options.rooms, "--repetitions", options.repetitions,
+                             "--threads", options.threads, *(["--shuffled"] if options.shuffled else [])], "the distances could not be measured"))
     print(f"{result['points']} points, {result['elements']} elements of {result['triangles']} triangles")
     print(f"{'':12}{'s':>8}{'cpu s':>8}{'us/point':>10}{'extra MB':>10}{'B/point':>9}{'near':>10}{'mean mm':>9}")
     for kind in ("labels", "no labels"):

@@ -6,14 +6,12 @@
 #include "core/pipeline/pipeline.h"
 #include "tests/bench/laz_reader.h"
 #include "tests/bench/process_memory.h"
+#include "tests/bench/process_times.h"
 
 #include <benchmark/benchmark.h>
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <charconv>
-#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -26,30 +24,8 @@ namespace
 {
 
 using namespace s2b;
-
-struct Times
-{
-    double wall_s = 0.0;
-    double cpu_s = 0.0;  ///< of all threads
-
-    Times operator-(const Times& o) const { return {wall_s - o.wall_s, cpu_s - o.cpu_s}; }
-    Times& operator+=(const Times& o)
-    {
-        wall_s += o.wall_s;
-        cpu_s += o.cpu_s;
-        return *this;
-    }
-};
-
-Times now()
-{
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    const auto seconds = [](const timeval& t)
-    { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
-    return {std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(),
-            seconds(usage.ru_utime) + seconds(usage.ru_stime)};
-}
+using bench::now;
+using bench::Times;
 
 constexpr const char* kWhole = "Whole pipeline";
 
