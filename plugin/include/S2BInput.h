@@ -21,6 +21,7 @@ namespace s2b
 		bool     use = true;
 		QString  field; //!< empty: Classification or label, if there
 		LabelMap map;
+		bool     orModel = false; //!< where there are none of use: those of the shipped model, if there is one
 	};
 
 	//! What the reconstruction reads, and what keeps it alive
@@ -32,7 +33,7 @@ namespace s2b
 		CloudView                            view;
 		QString                              labelField; //!< the field that was used, empty without labels
 		std::array<std::size_t, kLabelCount> labelCounts{};
-		QString                              warning; //!< why there are no labels, for people; empty when all is well
+		QString                              warning; //!< why there are no labels, the first half of a sentence; empty when all is well
 		std::vector<float>                   ownPoints;
 		std::vector<std::uint8_t>            ownLabels;
 		std::vector<Eigen::Vector3d>         stations;       //!< of the scanner, as far as they are known

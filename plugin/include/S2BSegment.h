@@ -17,6 +17,9 @@ namespace s2b
 	inline constexpr char kClassField[]      = "S2B class";
 	inline constexpr char kConfidenceField[] = "S2B confidence";
 
+	//! Share of a run's progress when a model labels the points before it
+	inline constexpr double kLabelled = 0.4;
+
 	//! A model from a file, or the one that this program brings with it
 	/** \param path empty: the shipped one
 	    \throws Error{BadFile} that names the file and what is wrong with it, or that no model is shipped
@@ -29,6 +32,12 @@ namespace s2b
 	//! Labels the input's points: its labels are then the model's, weighed by their confidence
 	/** \throws Error, Cancelled as segment() does; the input is unchanged then **/
 	void segmentInput(Input& input, const OnnxModel& model, const Context& context);
+
+	//! Whether this build brings a model with it
+	bool hasShippedModel();
+
+	//! What becomes of an input without labels of use, for people: why, and what is done instead
+	QString insteadOfLabels(const Input& input, bool isModel);
 
 	//! "wall 312,400 (41 %), floor ..." and how sure the model is; of an input that uses a segmentation
 	QString segmentationText(const Input& input);

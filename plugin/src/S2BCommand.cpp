@@ -108,7 +108,6 @@ namespace s2b
 		}
 
 		constexpr double kRead          = 0.2; // shares of the time
-		constexpr double kLabelled      = 0.4; // when a model labels the points
 		constexpr double kReconstructed = 0.7; // share of the time, when the model is validated too
 		constexpr double kCompared      = 0.9;
 
@@ -169,6 +168,12 @@ namespace s2b
 			return model;
 		}
 
+		// A reconstruction of a cloud without labels of use takes those of the shipped model, unless geometry alone is asked for.
+		bool labelsItself(const CommandOptions& options, const Input& input)
+		{
+			return options.reconstruct && !options.segment && !options.pipeline.geometryOnly && !input.view.labels && hasShippedModel();
+		}
+
 		// The points, and the labels that they have where no model is to make them.
 		Input readInput(ccCommandLineInterface& cmd, const CommandOptions& options)
 		{
@@ -177,7 +182,7 @@ namespace s2b
 			Input input = makeInput(clouds, {!options.pipeline.geometryOnly && !options.segment, options.labelField, options.labelMap}, options.stationFile);
 			cmd.print(QString("[S2B] %1 points in %2").arg(input.view.count).arg(clouds.size() == 1 ? QString("one cloud") : QString("%1 clouds, taken together").arg(clouds.size())));
 			if (!input.warning.isEmpty())
-				cmd.warning("[S2B] " + input.warning);
+				cmd.warning("[S2B] " + insteadOfLabels(input, labelsItself(options, input)));
 			if (!input.labelField.isEmpty())
 				cmd.print("[S2B] " + labelSummary(input, QString::fromStdString(options.labelMap.name)));
 			if (!input.stationText.isEmpty())
@@ -279,8 +284,10 @@ namespace s2b
 			const CLCloudDesc first = cmd.clouds().front();
 			const QString     path  = options.ifcPath.isEmpty() ? defaultIfcPath(first) : options.ifcPath;
 
-			const std::optional<OnnxModel> model = chosenModel(cmd, options);
-			Input                          input = readInput(cmd, options);
+			std::optional<OnnxModel> model = chosenModel(cmd, options);
+			Input                    input = readInput(cmd, options);
+			if (labelsItself(options, input))
+				model = openModel({}, options.threads);
 
 			// A truth that can't be used is found out before the work, not after it.
 			const Context                  context = makeContext(cmd, options);
@@ -314,7 +321,7 @@ namespace s2b
 			}
 			cmd.print("[S2B] " + meter.text());
 
-			if (model)
+			if (options.segment)
 				addFields(cmd, input);
 			for (NamedMesh& element : makeMeshes(building, *first.pc))
 			{

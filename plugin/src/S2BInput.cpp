@@ -211,7 +211,7 @@ namespace s2b
 				}
 				if (!fields.back())
 				{
-					input.warning = QString("the cloud '%1' has no labels (no scalar field Classification or label, %2): working from the geometry alone").arg(cloud->getName(), fieldNames(*cloud));
+					input.warning = QString("the cloud '%1' has no labels (no scalar field Classification or label, %2)").arg(cloud->getName(), fieldNames(*cloud));
 					return;
 				}
 			}
@@ -220,7 +220,7 @@ namespace s2b
 				readLabels(*clouds[i], *fields[i], fields[i]->getName() == QString(kClassField) ? builtInLabelMap("s2b") : choice.map, input, context);
 			if (input.labelCounts[static_cast<std::size_t>(Label::Unassigned)] == input.view.count)
 			{
-				input.warning = QString("the field '%1' leaves every point unassigned: working from the geometry alone").arg(fields.front()->getName());
+				input.warning = QString("the field '%1' leaves every point unassigned").arg(fields.front()->getName());
 				input.ownLabels.clear();
 				input.ownLabels.shrink_to_fit();
 				return;
@@ -228,7 +228,7 @@ namespace s2b
 			// Such labels (an airborne survey's, say) would leave the building without walls.
 			if (input.labelCounts[static_cast<std::size_t>(Label::Wall)] + input.labelCounts[static_cast<std::size_t>(Label::Column)] == 0)
 			{
-				input.warning = QString("the field '%1' with the map '%2' names no wall and no column: working from the geometry alone").arg(fields.front()->getName(), QString::fromStdString(choice.map.name));
+				input.warning = QString("the field '%1' with the map '%2' names no wall and no column").arg(fields.front()->getName(), QString::fromStdString(choice.map.name));
 				input.ownLabels.clear();
 				input.ownLabels.shrink_to_fit();
 				return;

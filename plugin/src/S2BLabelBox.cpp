@@ -2,6 +2,7 @@
 #include "S2BLabelBox.h"
 
 #include "S2BFileDialog.h"
+#include "S2BSegment.h"
 
 #include <QComboBox>
 #include <QFile>
@@ -19,7 +20,11 @@
 namespace
 {
 	const QString kFile = "From a file...";
-}
+	// Rows of the list of fields.
+	constexpr int kGeometryRow = 0;
+	constexpr int kModelRow    = 1;
+	constexpr int kFirstField  = 2;
+} // namespace
 
 S2BLabelBox::S2BLabelBox(std::vector<const ccPointCloud*> clouds, QWidget* parent)
     : QGroupBox("Labels of the points", parent)
@@ -31,6 +36,7 @@ S2BLabelBox::S2BLabelBox(std::vector<const ccPointCloud*> clouds, QWidget* paren
 	m_field = new QComboBox;
 	m_field->setObjectName("labelField");
 	m_field->addItem("None: from the geometry alone");
+	m_field->addItem("Those of the shipped model, with the geometry");
 	const ccPointCloud& first = *m_clouds.front();
 	for (unsigned i = 0; i < first.getNumberOfScalarFields(); ++i)
 		m_field->addItem(first.getScalarFieldName(static_cast<int>(i)));
@@ -67,8 +73,9 @@ S2BLabelBox::S2BLabelBox(std::vector<const ccPointCloud*> clouds, QWidget* paren
 s2b::LabelChoice S2BLabelBox::choice() const
 {
 	s2b::LabelChoice choice;
-	choice.use = m_field->currentIndex() > 0;
-	choice.map = m_map;
+	choice.use     = m_field->currentIndex() >= kFirstField;
+	choice.orModel = m_field->currentIndex() != kGeometryRow;
+	choice.map     = m_map;
 	if (choice.use)
 		choice.field = m_field->currentText();
 	return choice;
@@ -85,12 +92,14 @@ void S2BLabelBox::update()
 	m_classes->clear();
 	m_hint->clear();
 	m_fits              = true;
-	const bool hasField = m_field->currentIndex() > 0;
+	const bool hasField = m_field->currentIndex() >= kFirstField;
 	m_mapName->setEnabled(hasField);
 	m_classes->setVisible(hasField);
 	if (!hasField)
 	{
-		m_hint->setText("Labels make the result better: a classified cloud gives fewer mistakes with furniture and doors.");
+		m_hint->setText(m_field->currentIndex() == kModelRow
+		                    ? "The points get their classes from the model that the plugin brings, weighed against the geometry: about a second for a million points. Segment... shows them first."
+		                    : "Labels make the result better: a classified cloud gives fewer mistakes with furniture and doors.");
 		return Q_EMIT changed();
 	}
 	std::map<int, std::size_t> counts;
@@ -167,17 +176,21 @@ void S2BLabelBox::readSettings(const QSettings& settings)
 	{
 		// it was a file: that has to be chosen again
 	}
-	// The field of last time if this cloud has it, or the one that holds labels by custom.
+	// The field of last time if this cloud has it, or the one that holds labels by custom, or what was chosen without any.
 	int field = m_field->findText(settings.value("labelField").toString());
-	if (field <= 0)
+	if (field < kFirstField)
 		field = m_field->findText(s2b::defaultLabelField(*m_clouds.front()));
+	if (field < kFirstField)
+		field = s2b::hasShippedModel() && settings.value("labelsOfModel", true).toBool() ? kModelRow : kGeometryRow;
 	const QSignalBlocker quiet(m_field);
-	m_field->setCurrentIndex(std::max(0, field));
+	m_field->setCurrentIndex(field);
 	update();
 }
 
 void S2BLabelBox::writeSettings(QSettings& settings) const
 {
-	settings.setValue("labelField", m_field->currentIndex() > 0 ? m_field->currentText() : QString());
+	settings.setValue("labelField", m_field->currentIndex() >= kFirstField ? m_field->currentText() : QString());
+	if (m_field->currentIndex() < kFirstField)
+		settings.setValue("labelsOfModel", m_field->currentIndex() == kModelRow);
 	settings.setValue("labelMap", m_mapName->currentText());
 }

@@ -288,7 +288,7 @@ s2b::RunChoice S2BReconstructDlg::choice() const
 	s2b::RunChoice choice;
 	choice.pipeline.parameters   = m_parameters;
 	choice.labels                = m_labels->choice();
-	choice.pipeline.geometryOnly = !choice.labels.use;
+	choice.pipeline.geometryOnly = !choice.labels.use && !choice.labels.orModel;
 	choice.pipeline.stages       = {s2b::Stage::Levels};
 	for (const auto& [stage, check] : m_stages)
 	{

@@ -110,6 +110,16 @@ namespace s2b
 		return OnnxModel::fromBytes(shippedModel(), kShippedModelName, threads);
 	}
 
+	bool hasShippedModel()
+	{
+		return !shippedModel().empty();
+	}
+
+	QString insteadOfLabels(const Input& input, bool isModel)
+	{
+		return input.warning + (isModel ? ": taking those of the shipped model, weighed against the geometry" : ": working from the geometry alone");
+	}
+
 	QString modelText(const OnnxModel& model)
 	{
 		const ModelContract& contract = model.contract();

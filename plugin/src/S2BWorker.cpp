@@ -4,7 +4,9 @@
 #include "S2BInput.h"
 #include "S2BReconstructDlg.h"
 #include "S2BRun.h"
+#include "S2BSegment.h"
 #include "S2BSummary.h"
+#include "S2BValidate.h"
 #include "core/base/error.h"
 
 #include <QEventLoop>
@@ -114,9 +116,16 @@ namespace s2b
 	Input readClouds(const std::vector<const ccPointCloud*>& clouds, const LabelChoice& labels, const Context& running)
 	{
 		running.report(labels.use ? "Reading the points and their labels" : "Reading the points", 0.0);
-		Input input = makeInput(clouds, labels, {}, running);
+		Input      input    = makeInput(clouds, labels, {}, running);
+		const bool hasModel = labels.orModel && !input.view.labels && hasShippedModel();
 		if (!input.warning.isEmpty())
-			running.say(LogLevel::Warning, input.warning.toStdString());
+			running.say(LogLevel::Warning, insteadOfLabels(input, hasModel).toStdString());
+		if (hasModel)
+		{
+			segmentInput(input, openModel({}, running.threads), partOf(running, 0.0, kLabelled));
+			running.say(LogLevel::Info, "labels of the shipped model: " + segmentationText(input).toStdString());
+			return input;
+		}
 		if (!input.labelField.isEmpty())
 			running.say(LogLevel::Info, labelSummary(input, QString::fromStdString(labels.map.name)).toStdString());
 		if (!input.stationText.isEmpty())
@@ -133,7 +142,8 @@ namespace s2b
 		runInBackground(app, context, [&](const Context& running)
 		                {
 			                const Input input  = readClouds(clouds, choice.labels, running);
-			                Building    result = reconstruct(input.view, choice.pipeline, running);
+			                const bool  isLabelled = input.view.confidence && input.labelField != kClassField; // just now, by the model
+			                Building    result  = reconstruct(input.view, choice.pipeline, partOf(running, isLabelled ? kLabelled : 0.0, 1.0));
 			                running.report("Writing the IFC file", 1.0);
 			                if (!choice.ifcPath.isEmpty())
 				                writeModel(result, choice.ifcPath, writeOptions(choice.pipeline, choice.seed, projectName, choice.schema));

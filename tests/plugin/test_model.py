@@ -94,19 +94,28 @@ def test_labels_of_another_map_and_field(cloudcompare, tmp_path, room):
     assert len(ifcopenshell.open(str(tmp_path / "s3dis.ifc")).by_type("IfcWall")) == 4
 
 
-def test_without_labels_it_warns_and_uses_the_geometry(cloudcompare, tmp_path, room):
+def test_without_labels_it_warns_and_takes_those_of_the_shipped_model(cloudcompare, tmp_path, room):
     run = cloudcompare("-O", write_ply(tmp_path / "bare.ply", room[0]), "-S2B")
     assert run.rc == 0
-    assert any("no labels" in line and "geometry alone" in line for line in run.ours)
+    assert any("no labels" in line and "shipped model" in line for line in run.ours)
+    assert any(line.startswith("labels: ") and "mean confidence" in line for line in run.ours)
     assert_valid(tmp_path / "bare.ifc")
+    assert len(ifcopenshell.open(str(tmp_path / "bare.ifc")).by_type("IfcWall")) == 4
 
 
-def test_labels_that_name_no_wall_leave_it_to_the_geometry(cloudcompare, tmp_path, room):
+def test_geometry_only_takes_no_model(cloudcompare, tmp_path, room):
+    run = cloudcompare("-O", write_ply(tmp_path / "bare.ply", room[0]), "-S2B", "-GEOMETRY_ONLY")
+    assert run.rc == 0
+    assert not any("shipped model" in line or line.startswith("labels: ") for line in run.ours)
+    assert len(ifcopenshell.open(str(tmp_path / "bare.ifc")).by_type("IfcWall")) == 4
+
+
+def test_labels_that_name_no_wall_leave_it_to_the_shipped_model(cloudcompare, tmp_path, room):
     points, codes = room
     asprs = np.choose(codes, [1, 2, 6, 6])  # ground and building
     run = cloudcompare("-O", write_ply(tmp_path / "airborne.ply", points, Classification=asprs), "-S2B", "-LABEL_MAP", "asprs")
     assert run.rc == 0
-    assert any("names no wall" in line and "geometry alone" in line for line in run.ours)
+    assert any("names no wall" in line and "shipped model" in line for line in run.ours)
 
 
 def test_geometry_only_does_not_look_at_the_labels(cloudcompare, tmp_path, room):
