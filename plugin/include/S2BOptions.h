@@ -10,6 +10,7 @@
 #include <QStringList>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace s2b
@@ -17,17 +18,18 @@ namespace s2b
 	//! Everything that one -S2B run was asked for, checked
 	struct CommandOptions
 	{
-		PipelineOptions pipeline;
-		QString         labelField; //!< empty: the usual names are looked for
-		LabelMap        labelMap;
-		QString         stationFile;     //!< empty: the clouds' sensors count
-		bool            segment = false; //!< label the points with a model first
-		QString         modelPath;       //!< empty: the shipped one
-		QString         ifcPath;         //!< empty: <cloud>.ifc beside the cloud
-		QString         schema      = "IFC4";
-		unsigned        threads     = 0; //!< 0: all
-		std::uint64_t   seed        = 1;
-		bool            reconstruct = true; //!< false: -STAGES none, the IFC file is there already and only read
+		PipelineOptions    pipeline;
+		QString            labelField; //!< empty: the usual names are looked for
+		LabelMap           labelMap;
+		QString            stationFile;     //!< empty: the clouds' sensors count
+		bool               segment = false; //!< label the points with a model first
+		QString            modelPath;       //!< empty: the shipped one
+		QString            ifcPath;         //!< empty: <cloud>.ifc beside the cloud
+		QString            schema = "IFC4";
+		std::optional<int> epsg;            //!< what the coordinates are of: gives IfcMapConversion
+		unsigned           threads     = 0; //!< 0: all
+		std::uint64_t      seed        = 1;
+		bool               reconstruct = true; //!< false: -STAGES none, the IFC file is there already and only read
 
 		QString                      truthPath;    //!< empty: no ground truth
 		QStringList                  storeys;      //!< of the truth; empty: all

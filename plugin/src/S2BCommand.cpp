@@ -302,6 +302,7 @@ namespace s2b
 			labelWith(cmd, model, input, partOf(context, 0.0, labelled));
 			const Building    building = reconstruct(input.view, options.pipeline, partOf(context, labelled, options.validates() ? kReconstructed : 1.0));
 			ifc::WriteOptions record   = writeOptions(options.pipeline, options.seed, first.basename, options.schema);
+			record.epsg                = options.epsg;
 			if (model)
 				record.parameters.emplace_back("segmentation", QFileInfo(QString::fromStdString(model->name())).fileName().toStdString());
 			writeModel(building, path, record);

@@ -18,6 +18,7 @@ namespace s2b
 	namespace
 	{
 		constexpr unsigned kMaxThreads = 1024;
+		constexpr unsigned kEpsg[]     = {1024, 32766}; // what the registry gives out
 
 		// "-THREADS", but not "-2.9:0.0"
 		bool isKeyword(const QString& argument)
@@ -162,6 +163,8 @@ namespace s2b
 		     { o.ifcPath = o.reconstruct ? writableIfcPath(v) : readablePath("IFC", v); }},
 		    {"SCHEMA", "NAME", false, "IFC4 (default) or IFC4X3_ADD2", [](CommandOptions& o, const QString& v)
 		     { o.schema = schemaName(v); }},
+		    {"EPSG", "N", false, "the projected coordinate system of the cloud's coordinates: the IFC gets an IfcMapConversion instead of a site placement", [](CommandOptions& o, const QString& v)
+		     { o.epsg = static_cast<int>(wholeNumber("EPSG", v, kEpsg[0], kEpsg[1])); }},
 		    {"VALIDATE", "FILE", false, "ground truth to compare with: any IFC file, or the CV4AEC challenge's JSON", [](CommandOptions& o, const QString& v)
 		     { o.truthPath = readablePath("VALIDATE", v); }},
 		    {"STOREYS", "LIST", false, "the truth's storeys to compare, names or GUIDs separated by commas (default: all)", [](CommandOptions& o, const QString& v)

@@ -60,14 +60,41 @@ def test_same_bytes_for_every_number_of_threads(cloudcompare, survey, tmp_path):
     assert first == (tmp_path / "c.ifc").read_bytes()
 
 
-def test_georeferenced_survey_keeps_its_place(cloudcompare, tmp_path):
-    scan = make_survey(tmp_path / "world.laz", *SMALL, "--origin", 32500100, 5600300, 120, "--truth-ifc", tmp_path / "truth.ifc")
-    assert cloudcompare("-O", "-GLOBAL_SHIFT", "AUTO", scan, "-S2B", "-IFC", "model.ifc").rc == 0
+@pytest.fixture(scope="module")
+def world(tmp_path_factory):
+    """A georeferenced survey, world.laz, and its truth.ifc."""
+    folder = tmp_path_factory.mktemp("world")
+    make_survey(folder / "world.laz", *SMALL, "--origin", 32500100, 5600300, 120, "--truth-ifc", folder / "truth.ifc")
+    return folder
+
+
+def test_georeferenced_survey_keeps_its_place(cloudcompare, tmp_path, world):
+    assert cloudcompare("-O", "-GLOBAL_SHIFT", "AUTO", world / "world.laz", "-S2B", "-IFC", "model.ifc").rc == 0
     assert_valid(tmp_path / "model.ifc")
-    found, truth = wall_corners(tmp_path / "model.ifc"), wall_corners(tmp_path / "truth.ifc")
+    found, truth = wall_corners(tmp_path / "model.ifc"), wall_corners(world / "truth.ifc")
     # Both faces of every outer wall are seen, so the plan's extent is measured: 2 cm is what the survey's 1 cm points allow.
     assert np.allclose(found.min(axis=0)[:2], truth.min(axis=0)[:2], atol=0.02)
     assert np.allclose(found.max(axis=0)[:2], truth.max(axis=0)[:2], atol=0.02)
+
+
+def test_coordinate_system_gives_a_map_conversion(cloudcompare, tmp_path, world):
+    run = cloudcompare("-O", "-GLOBAL_SHIFT", "AUTO", world / "world.laz", "-S2B", "-EPSG", 4647, "-IFC", "model.ifc", "-VALIDATE", world / "truth.ifc")
+    assert run.rc == 0
+    assert_valid(tmp_path / "model.ifc")
+    model = ifcopenshell.open(str(tmp_path / "model.ifc"))
+    assert [crs.Name for crs in model.by_type("IfcProjectedCRS")] == ["EPSG:4647"]
+    conversion = model.by_type("IfcMapConversion")[0]
+    assert abs(conversion.Eastings - 32500100) < 100 and abs(conversion.Northings - 5600300) < 100
+    # The elements are in coordinates of their own, and the validation finds them where the truth is.
+    assert np.abs(wall_corners(tmp_path / "model.ifc")).max() < 100
+    assert any(line.startswith("walls:") and "F1" in line for line in run.ours)
+
+
+@pytest.mark.parametrize("code", ["0", "EPSG:4647", "32632.5"])
+def test_coordinate_system_that_is_none(cloudcompare, room, tmp_path, code):
+    points, codes = room
+    run = cloudcompare("-O", write_ply(tmp_path / "room.ply", points, Classification=codes), "-S2B", "-EPSG", code)
+    assert run.rc == 1 and "-EPSG" in run.ours[-1]
 
 
 def test_two_clouds_are_taken_together(cloudcompare, tmp_path, room):
