@@ -139,8 +139,9 @@ def window(display, tmp_path, output):
         env = environment(tmp_path / "home", DISPLAY=display, QT_QPA_PLATFORM="xcb", S2B_DRIVER_SCENARIO=scenario, S2B_DRIVER_OUTPUT=str(output),
                           S2B_PLAIN_DIALOGS="1", **more)
         env["CC_PLUGIN_PATH"] += ":" + os.environ["S2B_TEST_DRIVER"]
+        timeout = SLOWDOWN * (300 + 4 * int(more.get("S2B_DRIVER_CYCLES", 0)))  # the driver's own watchdog is earlier
         process = subprocess.run([os.environ["S2B_TEST_CLOUDCOMPARE"], ":start-plugin:S2B_window_driver", str(path)], cwd=tmp_path, env=env,
-                                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300 * SLOWDOWN)
+                                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=timeout)
         print(process.stdout)
         assert process.returncode == 0, "\n".join(line for line in process.stdout.splitlines() if line.startswith(("FAIL", "ok")))
         return process.stdout

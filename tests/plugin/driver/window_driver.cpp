@@ -19,6 +19,7 @@ namespace
 constexpr int kStart_ms = 1500;       // CloudCompare has shown its window by then, and mostly opened the file
 constexpr int kOpenTries = 40;        // a large file on a busy machine
 constexpr int kWatchdog_ms = 240000;  // far above any scenario: a hang has to end the test
+constexpr int kCycle_ms = 3000;       // the same for each cycle of one that repeats something
 
 }  // namespace
 
@@ -35,7 +36,8 @@ public:
     {
         m_driver = std::make_unique<Driver>(*m_app);
         QTimer::singleShot(kStart_ms, this, &WindowDriver::run);
-        QTimer::singleShot(slowdown() * kWatchdog_ms, this,
+        QTimer::singleShot(slowdown() * (kWatchdog_ms + kCycle_ms * qEnvironmentVariableIntValue("S2B_DRIVER_CYCLES")),
+                           this,
                            [this]
                            {
                                m_driver->check(false, "the scenario ended in time");
