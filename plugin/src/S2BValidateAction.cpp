@@ -124,16 +124,24 @@ namespace s2b
 			return {folder, std::move(temporary)};
 		}
 
-		void showOutcome(ccMainAppInterface& app, const ValidationSelection& selection, const ValidationOutcome& outcome, const QString& name, const KeptReport& report)
+		using Copies = std::vector<std::unique_ptr<ccPointCloud>>;
+
+		// Runs in the worker: millions of points are copied.
+		Copies deviationCopies(const std::vector<ccPointCloud*>& clouds, const ValidationOutcome& outcome)
 		{
-			const double                               limit_m = report::makeScene(reportInput(outcome, nullptr, {})).colorRange_m;
-			std::vector<std::unique_ptr<ccPointCloud>> copies;
-			std::size_t                                first = 0;
-			for (const ccPointCloud* cloud : selection.clouds)
+			const double limit_m = report::makeScene(reportInput(outcome, nullptr, {})).colorRange_m;
+			Copies       copies;
+			std::size_t  first = 0;
+			for (const ccPointCloud* cloud : clouds)
 			{
 				copies.push_back(deviationCopy(*cloud, *outcome.figures.cloudToResult, first, limit_m));
 				first += cloud->size();
 			}
+			return copies;
+		}
+
+		void showOutcome(ccMainAppInterface& app, const ValidationSelection& selection, const ValidationOutcome& outcome, Copies copies, const QString& name, const KeptReport& report)
+		{
 			std::unique_ptr<ccHObject> tree;
 			if (const ccShiftedObject* reference = referenceOf(selection))
 				tree = makeValidationTree(outcome, *reference, name + " [validation]");
@@ -213,10 +221,12 @@ namespace s2b
 				work.building = &building;
 			}
 			std::optional<ValidationOutcome> outcome;
+			Copies                           copies;
 			const bool                       isDone = runInBackground(app, {}, [&](const Context& context)
                                                 {
 				                                                const std::optional<Input> input = selection.clouds.empty() ? std::nullopt : std::optional(readWithUsableLabels(selection.clouds, context));
-				                                                outcome                          = work.compare(input ? &input->view : nullptr, context); });
+				                                                outcome                          = work.compare(input ? &input->view : nullptr, context);
+				                                                copies = deviationCopies(selection.clouds, *outcome); });
 			if (!isDone || !outcome)
 			{
 				say(app, "cancelled, nothing was changed");
@@ -224,7 +234,7 @@ namespace s2b
 			}
 			for (const QString& line : validationSummary(*outcome))
 				say(app, line);
-			showOutcome(app, selection, *outcome, work.name, work.report);
+			showOutcome(app, selection, *outcome, std::move(copies), work.name, work.report);
 			if (work.choice.reportFolder.isEmpty())
 				return;
 			const QString page = QDir(work.choice.reportFolder).absoluteFilePath("report.html");
