@@ -15,7 +15,7 @@ class ccPointCloud;
 
 namespace s2b
 {
-	//! The clouds of a selection; empty when something else is selected too
+	//! The clouds of a selection; empty when something else is selected too, or one that is a part of a model
 	std::vector<ccPointCloud*> cloudsOf(const ccHObject::Container& selection);
 
 	//! The reconstructed model that the selection is (a part of), or null

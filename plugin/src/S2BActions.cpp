@@ -64,7 +64,7 @@ namespace s2b
 		std::vector<ccPointCloud*> clouds;
 		for (ccHObject* entity : selection)
 		{
-			if (!entity || !entity->isA(CC_TYPES::POINT_CLOUD))
+			if (!entity || !entity->isA(CC_TYPES::POINT_CLOUD) || modelOf({entity}))
 				return {};
 			clouds.push_back(static_cast<ccPointCloud*>(entity));
 		}

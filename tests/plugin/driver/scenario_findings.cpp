@@ -61,6 +61,9 @@ void findings(Driver& driver)
     auto* list = dock->findChild<QTreeWidget*>("findings");
     checkList(driver, list);
     checkTree(driver);
+    driver.select(driver.labels().front()->getParent());
+    driver.check(!driver.action("S2B.Reconstruct")->isEnabled() && driver.action("S2B.ExportIfc")->isEnabled(),
+                 "the findings' own cloud is a part of the model, no scan");
 
     dock->close();
     driver.unselectAll();

@@ -90,6 +90,9 @@ void validationTable(Driver& driver)
     auto* table = dock->findChild<QTableView*>("elements");
     driver.check(driver.waitFor([&] { return !table->visibleRegion().isEmpty(); }, 5000), "before the other lists");
     driver.check(table->model()->rowCount() > 8, QString("%1 elements are listed").arg(table->model()->rowCount()));
+    dock->close();
+    driver.action("S2B.ValidationTable")->trigger();
+    driver.check(driver.waitFor([&] { return !table->visibleRegion().isEmpty(); }, 5000), "and comes back");
     checkSorting(driver, table);
     checkFilters(driver, dock, table);
 
