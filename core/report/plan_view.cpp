@@ -251,7 +251,7 @@ Drawing drawWall(const Scene& scene, const WallFaces& wall)
         sheet.image(*raster, deviationImage(*raster, scene.colorRange_m), name);
         const Polygon face{{{0, 0}, {wall.length_m, 0}, {wall.length_m, height_m}, {0, height_m}}, {}};
         sheet.outlines({face}, "class=\"frame\"");
-        sheet.text({kWallMargin_mm, kWallMargin_mm - 1.2}, name, "class=\"axis\"");
+        sheet.text({kWallMargin_mm, kWallMargin_mm + sheet.length(height_m) + 3.4}, name, "class=\"axis\"");
         if (raster == &wall.right)
             sheet.scaleBar();
         both += sheet.svg(std::string(name) + " of " + row.id);

@@ -152,7 +152,8 @@ void Sheet::frame(const Eigen::Vector2d& world)
 void Sheet::scaleBar()
 {
     constexpr double kLeast_mm = 22.0;
-    const double bar_m = roundStep(kLeast_mm * m_scale / 1000.0);
+    constexpr double kShare = 0.4;  // of the width: the next round length is at most 2.5 times as long
+    const double bar_m = roundStep(std::min(kLeast_mm, kShare * m_width_mm) * m_scale / 1000.0);
     const double bar_mm = length(bar_m);
     const double x = m_margin_mm + m_width_mm - bar_mm;
     const double y = m_margin_mm - 2.2;

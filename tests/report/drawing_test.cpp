@@ -93,6 +93,16 @@ TEST(Sheet, IsDrawnAtTheLargestRoundScaleThatFits)
     EXPECT_TRUE(sheet.place({0, 0}).isApprox(Eigen::Vector2d(7, 107))) << "north is up";
 }
 
+TEST(Sheet, ScaleBarStaysOnANarrowFace)
+{
+    Sheet sheet({Eigen::Vector2d(0, 0), Eigen::Vector2d(1.1, 2.7)}, 89, 60, 5);
+    sheet.scaleBar();
+    const std::string svg = sheet.svg("x");
+    const std::size_t bar = svg.find("<rect x=\"") + 9;
+    EXPECT_GE(std::stod(svg.substr(bar)), 5.0) << "the margin";
+    EXPECT_THAT(svg, HasSubstr(">0.5 m<"));
+}
+
 TEST(Plan, MarksErrorsByPatternAndNumberAndNotByColourAlone)
 {
     const SampleReport sample;
