@@ -29,7 +29,7 @@ void gather(Validation& validation, const Bim& truth, const Bim& result, const V
         ClassComparison comparison = compareClass(elementClass, truth, result, params);
         validation.elements.insert(validation.elements.end(), comparison.truth.begin(), comparison.truth.end());
         others.insert(others.end(), comparison.others.begin(), comparison.others.end());
-        if (!comparison.truth.empty() || !comparison.others.empty())
+        if (!comparison.truth.empty() || comparison.score.resultCount > 0)
             validation.scores[elementClass] = std::move(comparison.score);
     }
     std::sort(validation.elements.begin(), validation.elements.end(),

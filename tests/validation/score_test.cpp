@@ -118,6 +118,20 @@ TEST(Score, TellsMissedFromFalsePositive)
     EXPECT_EQ(v.elements[3].result, 1);
 }
 
+TEST(Score, WhatATruthsFormatDoesNotKnowIsNotHeldAgainstAResult)
+{
+    const BimElement window = box(ElementClass::Window, rectangle(1, -0.1, 2, 0.1), 1.0, 2.0);
+    const Bim result = bimOf({wall({0, 0}, {5, 0}, 0.2), window});
+    Bim truth = bimOf({wall({0, 0}, {5, 0}, 0.2)});
+    EXPECT_EQ(compare(truth, result).scores.at(ElementClass::Window).resultCount, 1);
+    truth.schema = "CV4AEC";
+    const Validation v = compare(truth, result);
+    EXPECT_FALSE(v.scores.contains(ElementClass::Window));
+    ASSERT_EQ(v.elements.size(), 2U);
+    EXPECT_EQ(v.elements[1].outcome, Outcome::Excused);
+    EXPECT_DOUBLE_EQ(v.scores.at(ElementClass::Wall).at50.f1, 1.0);
+}
+
 TEST(Score, APoorPairCountsInTheMeanButIsNoMatch)
 {
     // 0.5 m of 9.5 m are shared: below minimumMatch.
