@@ -58,6 +58,28 @@ TEST(GuessedLabels, ThatAreNotSureLeaveItToTheGeometry)
     EXPECT_EQ(reconstructed(cloud, nullptr).walls.size(), 0u) << "the same labels, given, say that there is no wall";
 }
 
+/// Noise looks like panes to a model, but panes stand back from a face.
+TEST(GuessedLabels, OfGlassInAFaceLeaveTheWall)
+{
+    HandMadeCloud cloud = roomWithBoard(Label::Furniture);
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+        if (cloud.cloud().labels[i] == Label::Wall && cloud.cloud().points[i].x() > 5.9f)
+            cloud.cloud().labels[i] = Label::Window;
+    const std::vector<std::uint8_t> sure(cloud.size(), 230);
+    EXPECT_EQ(reconstructed(cloud, &sure).walls.size(), 4u);
+    EXPECT_EQ(reconstructed(cloud, nullptr).walls.size(), 3u) << "given labels are taken at their word";
+}
+
+/// A leaf that reaches the ceiling's height nearly, taken for wall in part.
+TEST(GuessedLabels, OfALeafMakeNoWall)
+{
+    HandMadeCloud cloud;
+    cloud.room({0, 0}, {6, 4});
+    cloud.wallFace({2, 1}, {2.8, 1.1}, 0.0, 2.1, Label::Wall);
+    const std::vector<std::uint8_t> sure(cloud.size(), 230);
+    EXPECT_EQ(reconstructed(cloud, &sure).walls.size(), 4u);
+}
+
 TEST(GuessedLabels, OfZeroConfidenceAreNone)
 {
     HandMadeCloud cloud = roomWithBoard(Label::Wall);
