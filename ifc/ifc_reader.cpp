@@ -10,8 +10,10 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <memory>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <system_error>
@@ -63,10 +65,46 @@ public:
     ~Quiet() { Logger::SetOutput(static_cast<std::ostream*>(nullptr), static_cast<std::ostream*>(nullptr)); }
     Quiet(const Quiet&) = delete;
     Quiet& operator=(const Quiet&) = delete;
+    [[nodiscard]] std::string text() const { return m_log.str(); }
 
 private:
     std::ostringstream m_log;
 };
+
+/// Whether shapes and places rest on what this instance refers to.
+bool isBearing(const IfcUtil::IfcBaseClass& instance, std::size_t attribute)
+{
+    const IfcParse::declaration& kind = instance.declaration();
+    if (kind.is("IfcStyledItem") || kind.as_entity()->attribute_by_index(attribute)->name() == "OwnerHistory")
+        return false;
+    const char* const kBearing[] = {"IfcProject",
+                                    "IfcUnitAssignment",
+                                    "IfcProduct",
+                                    "IfcObjectPlacement",
+                                    "IfcProductRepresentation",
+                                    "IfcRepresentation",
+                                    "IfcRepresentationItem",
+                                    "IfcProfileDef",
+                                    "IfcRelVoidsElement",
+                                    "IfcRelAggregates",
+                                    "IfcRelContainedInSpatialStructure"};
+    return std::any_of(std::begin(kBearing), std::end(kBearing), [&](const char* name) { return kind.is(name); });
+}
+
+/// A file that was cut and closed again reads without an error, but its elements are not where and what they were.
+/// @param log  IfcOpenShell's, which tells of instances that are referred to and not there.
+void checkReferences(IfcParse::IfcFile& file, const std::string& log, const std::string& path)
+{
+    static const std::regex kMissing(
+        "Instance reference #(\\d+) used by instance #(\\d+) at attribute index (\\d+) not");
+    for (std::sregex_iterator at(log.begin(), log.end(), kMissing), end; at != end; ++at)
+    {
+        const IfcUtil::IfcBaseClass* user = file.instance_by_id(std::stoi((*at)[2]));
+        if (user != nullptr && user->declaration().as_entity() != nullptr && isBearing(*user, std::stoul((*at)[3])))
+            fail(path, "it is damaged: #" + (*at)[1].str() + ", which its #" + (*at)[2].str() + " (" +
+                           user->declaration().name() + ") refers to, is missing; get a complete copy");
+    }
+}
 
 Settings settingsOf(const ReadOptions& options)
 {
@@ -250,6 +288,7 @@ IfcModel readIfc(const std::string& path, const ReadOptions& options)
             fail(path, file.good().value() == IfcParse::file_open_status::UNSUPPORTED_SCHEMA
                            ? "its schema is not supported; IFC2X3, IFC4 and IFC4X3 are"
                            : "it is damaged");
+        checkReferences(file, quiet.text(), path);
         model = readOpened(file, options);
     }
     catch (const Error&)

@@ -104,6 +104,16 @@ TEST(Reader, BadFilesGetOneSentence)
     expect(file("half.ifc", whole.substr(0, whole.size() / 2)), "truncated");
     expect(file("nothing.ifc", stepFile("IFC4", "")), "no geometry");
     expect(file("other.ifc", stepFile("AP214", "#1=CARTESIAN_POINT('',(0.,0.,0.));\n")), "schema");
+    // Cut and closed again: shapes and places are gone. Who made what is nobody's business here.
+    const std::size_t solid = whole.find("=IFCEXTRUDEDAREASOLID(");
+    const std::size_t line = whole.rfind('\n', solid) + 1;
+    const std::string number = whole.substr(line, solid - line);
+    std::string holed = whole;
+    holed.erase(line, whole.find('\n', line) + 1 - line);
+    expect(file("holed.ifc", holed), ("it is damaged: " + number + ", which").c_str());
+    std::string anonymous = whole;
+    anonymous.replace(anonymous.find(",$,", anonymous.find("=IFCWALL(")), 3, ",#999999,");
+    EXPECT_FALSE(ifc::readIfc(file("anonymous.ifc", anonymous)).elements.empty());
     Building bare;
     ifc::writeIfc(bare, folder.file("bare.ifc"), {});
     expect(folder.file("bare.ifc"), "no geometry");
