@@ -27,7 +27,7 @@ namespace s2b
 			const char* file;
 			const char* title;
 		};
-		const std::array<Page, 11> kPages{{
+		const std::array<Page, 13> kPages{{
 		    {"user_guide.md", "User guide"},
 		    {"parameters.md", "Parameters and presets"},
 		    {"corrections.md", "Corrections"},
@@ -39,6 +39,8 @@ namespace s2b
 		    {"validation_report.md", "Reading the report"},
 		    {"validation.md", "The validation's figures"},
 		    {"method.md", "The method"},
+		    {"simulator.md", "Simulated surveys"},
+		    {"bench.md", "Benchmarks"},
 		}};
 
 		//! Markdown with tables that have lines and pictures that fit
