@@ -16,7 +16,7 @@ WallView viewWall(const Wall& wall, const SurfaceCells& cells, const CellIndex& 
     view.leftSeen = wall.evidence.faceCoverage[0] > 0.10;
     view.rightSeen = wall.evidence.faceCoverage[1] > 0.10;
     view.cell_m = cells.size_m;
-    view.hasLabels = cells.hasLabels;
+    view.hasLabels = cells.labelsAreSure();
     const WallAxis axis(wall);
     const double reach = view.half_m + reach_m;
     // An arc leaves its chord by its sagitta.

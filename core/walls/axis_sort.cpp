@@ -70,18 +70,18 @@ double wallWeight(const SurfaceCells& cells, const SurfaceCell& cell)
         return 1.0;
     if (!cells.hasGuesses)
         return cell.label == Label::Wall ? 1.0 : 0.0;
-    // A model's labels count as much as they are sure. Where it does not know, or takes an upright surface for a part
-    // of floors and roofs, its shape decides.
+    // Where a model does not know, sees glass, or takes an upright surface for a part of floors and roofs, its shape
+    // decides.
     switch (cell.label)
     {
         case Label::Wall:
-            return cell.labelShare / 255.0;
+            return 1.0;
         case Label::Column:
         case Label::Door:
         case Label::Furniture:
             return 0.0;
         default:
-            return 0.5;
+            return 0.7;
     }
 }
 

@@ -112,7 +112,10 @@ std::vector<Face> gather(const std::vector<FaceLine>& lines, const SurfaceCells&
             continue;
         const double d = f.n().dot(p) - f.offset, n = c.count;
         s.w += n, s.d += n * d, s.dd += n * d * d, s.cells += 1;
-        s.wall += cells.hasGuesses ? weight : c.label == Label::Wall ? 1 : 0;
+        // A model's labels count as much as they are sure; where it does not know, as much as not.
+        s.wall += c.label == Label::Wall ? (cells.hasGuesses ? c.labelShare / 255.0 : 1.0)
+                  : cells.hasGuesses     ? 0.5
+                                         : 0.0;
         if (c.facesScanner)
             (f.n().dot(c.normal.head<2>().cast<double>()) > 0 ? s.left : s.right) += 1;
         f.points += c.count;
