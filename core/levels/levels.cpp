@@ -213,6 +213,21 @@ bool hasFloorAbove(const std::vector<Peak>& floors, const Peak& p)
                        { return q.z > p.z + kMergeZ_m && q.z < p.z + kSlab_m && q.area > 0.3 * p.area; });
 }
 
+/// Where no ceiling was seen, the ground around a house is the largest surface; its floor lies a step above.
+void raiseAboveTerrain(std::vector<Peak>& peaks, const HeightHistogram& openFloors)
+{
+    constexpr double lowest_m = 0.10, highest_m = 0.45, leastShare = 0.05;
+    const std::vector<Peak> all = peaksOf(openFloors, 0.09);
+    for (Peak& p : peaks)
+    {
+        const double terrain = p.z, area = p.area;
+        for (const Peak& q : all)
+            if (const double step = q.z - terrain; step > lowest_m && step < highest_m && q.area > leastShare * area &&
+                                                   (p.z == terrain || q.area > p.area))
+                p = q;
+    }
+}
+
 }  // namespace
 
 LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, const Context& context)
@@ -280,7 +295,9 @@ LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, con
     peaks = std::move(apart);
     // Without any ceiling (not scanned) the floors themselves have to do; with labels an open floor counts as one too,
     // and so does one that walls stand on where it is all that the floor below has above it.
-    const std::vector<Peak> openPeaks = peaksOf(openFloors, kSameFloor_m);
+    std::vector<Peak> openPeaks = peaksOf(openFloors, kSameFloor_m);
+    if (!cells.labelsAreSure())
+        raiseAboveTerrain(openPeaks, openFloors);
     const double largestPaired = peaks.empty() ? 0.0 : peaks.front().area;
     const auto isUpperFloor = [&](const Peak& p)
     {

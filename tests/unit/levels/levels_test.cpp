@@ -158,6 +158,20 @@ TEST(Levels, ExplainThatThereIsNothingHorizontal)
     EXPECT_EQ(countCode(r.diagnostics, "NoHorizontalSurface"), 1u);
 }
 
+/// Without a ceiling the ground around a house is the largest surface; the floor is a step above it.
+TEST(Levels, AreAboveTheTerrainWhereNoCeilingWasSeen)
+{
+    HandMadeCloud cloud(0.04);
+    cloud.horizontal({0, 0}, {6, 5}, 0.0, Label::Unassigned);
+    cloud.fourWalls({0, 0}, {6, 5}, 0.0, 2.6);
+    cloud.horizontal({-6, -6}, {12, -0.3}, -0.2, Label::Unassigned);
+    cloud.horizontal({-6, 5.3}, {12, 11}, -0.2, Label::Unassigned);
+    const CloudView bare = cloud.view(false);
+    const LevelResult result = findLevels(buildSurfaceCells(bare, {}, {}, {}), {}, {});
+    ASSERT_EQ(result.levels.size(), 1u);
+    EXPECT_NEAR(result.levels[0].floor_m, 0.0, 0.01);
+}
+
 TEST(Levels, ExplainThatThereIsNoFloor)
 {
     HandMadeCloud cloud;
