@@ -16,6 +16,8 @@ import ifcopenshell.util.placement
 import matplotlib
 import numpy as np
 
+from draw_model import read_rows
+
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
@@ -26,15 +28,7 @@ FILL = {"IfcWall": "#24303f", "IfcDoor": "#e07b39", "IfcWindow": "#4cc9d6", "Ifc
 
 def read_points(path):
     """Points (n, 3) and their classes (n)."""
-    kinds = {"float": "<f4", "double": "<f8", "uchar": "u1", "ushort": "<u2", "int": "<i4", "short": "<i2"}
-    with open(path, "rb") as file:
-        columns, count = [], 0
-        while (line := file.readline().decode().split()) != ["end_header"]:
-            if line[:2] == ["element", "vertex"]:
-                count = int(line[2])
-            elif line[0] == "property":
-                columns.append((line[2], kinds[line[1]]))
-        rows = np.fromfile(file, dtype=columns, count=count)
+    rows = read_rows(path)
     names = [n for n in rows.dtype.names if n.replace("_", " ").endswith("S2B class")]
     if not names:
         sys.exit(f"draw_classes: {path} has no field S2B class")

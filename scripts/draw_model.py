@@ -52,8 +52,8 @@ def read_model(path):
     return np.concatenate(triangles), np.array(classes), sorted(storeys, key=lambda s: s[1])
 
 
-def read_ply(path):
-    """Points (n, 3) and colours (n, 3) in [0, 1]; grey without colours."""
+def read_rows(path):
+    """The vertices of a binary PLY, a structured array with its properties' names."""
     kinds = {"float": "<f4", "float32": "<f4", "double": "<f8", "uchar": "u1", "uint8": "u1", "ushort": "<u2", "int": "<i4", "short": "<i2"}
     with open(path, "rb") as file:
         columns, count = [], 0
@@ -62,7 +62,12 @@ def read_ply(path):
                 count = int(line[2])
             elif line[0] == "property":
                 columns.append((line[2], kinds[line[1]]))
-        rows = np.fromfile(file, dtype=columns, count=count)
+        return np.fromfile(file, dtype=columns, count=count)
+
+
+def read_ply(path):
+    """Points (n, 3) and colours (n, 3) in [0, 1]; grey without colours."""
+    rows = read_rows(path)
     points = np.stack([rows[a].astype(float) for a in "xyz"], 1)
     if "red" in rows.dtype.names:
         colors = np.stack([rows[c] for c in ("red", "green", "blue")], 1) / 255.0

@@ -11,7 +11,6 @@ namespace
 
 constexpr int kUnits = 4096;      // positions within a cell, as whole numbers
 constexpr int kViewUnits = 1024;  // unit vectors, as whole numbers
-constexpr int kLeastShare = 102;  // of 255, that a model's class needs to count
 
 /// To the nearest whole number, halves away from zero.
 std::int32_t nearest(double v)
@@ -107,7 +106,7 @@ Moments CellGatherer::momentsOf(const Sums& sums) const
         m.label = static_cast<Label>(best - sums.votes.begin());
         m.labelShare = static_cast<std::uint8_t>((m_cloud.confidence ? 1.0 : 255.0) * *best / sums.count);
         // A guess that is not sure says nothing: geometry alone decides.
-        if (m_cloud.confidence && m.labelShare < kLeastShare)
+        if (m_cloud.confidence && m.labelShare < kLeastGuess)
             m.label = Label::Unassigned;
     }
     for (std::size_t a = 0; a < 3 && sums.viewed > 0; ++a)

@@ -13,6 +13,9 @@
 namespace s2b
 {
 
+/// Of 255, 40 %: a class that a model is less sure of says nothing, and the shape decides.
+inline constexpr std::uint8_t kLeastGuess = 102;
+
 /// The points of one cell of a block: how many, their sums, and what most of them are.
 struct Moments
 {

@@ -2,6 +2,7 @@
 #include "core/segmentation/element_classes.h"
 
 #include "core/cloud/cell_index.h"
+#include "core/cloud/cell_moments.h"
 #include "core/geometry/polygon.h"
 #include "core/levels/levels.h"
 #include "core/model/wall_axis.h"
@@ -15,12 +16,11 @@ namespace s2b
 namespace
 {
 
-constexpr std::uint8_t kLeastShare = 102;  // of 255: below it the model does not know (core/cloud/cell_moments.cpp)
-constexpr std::uint8_t kByElement = 170;   // confidence of a class that the model did not see
-constexpr double kOnFace_m = 0.03;         // from a wall's face or a column's outline
-constexpr double kBesideFaces_m = 0.06;    // that a frame or a leaf stands out of the wall
-constexpr double kReveal_m = 0.04;         // from the edge of an opening
-constexpr double kCasing_m = 0.10;         // around an opening, where a frame may cover the wall
+constexpr std::uint8_t kByElement = 170;        // confidence of a class that the model did not see
+constexpr double kOnFace_m = 0.03;              // from a wall's face or a column's outline
+constexpr double kBesideFaces_m = 0.06;         // that a frame or a leaf stands out of the wall
+constexpr double kReveal_m = 0.04;              // from the edge of an opening
+constexpr double kCasing_m = 0.10;              // around an opening, where a frame may cover the wall
 constexpr double kAlong = 0.7, kAcross = 0.85;  // of a unit normal
 
 struct Hole
@@ -136,7 +136,7 @@ void settleByElements(const SurfaceCells& cells, std::vector<CellClass>& classes
     for (std::size_t i = 0; i < classes.size(); ++i)
     {
         guessed.cells[i].labelShare = classes[i].confidence;
-        guessed.cells[i].label = classes[i].confidence < kLeastShare ? Label::Unassigned : classes[i].label;
+        guessed.cells[i].label = classes[i].confidence < kLeastGuess ? Label::Unassigned : classes[i].label;
     }
     const LevelResult levels = findLevels(guessed, {}, context);
     PipelineOptions options;

@@ -98,7 +98,8 @@ std::vector<Face> gather(const std::vector<FaceLine>& lines, const SurfaceCells&
             z > level.highestCeiling_m() + 0.3)
             continue;
         const double weight = wallWeight(cells, c);
-        // An open leaf that a model takes for wall in part is a leaf by the rest.
+        // A model's doors and panes count among a face's cells: a leaf that it takes for wall in part is a leaf by the
+        // rest, and glass that it sees in noise leaves the face whole.
         if (!cells.hasGuesses && (c.label == Label::Door || c.label == Label::Window))
             continue;
         const Eigen::Vector2d p = c.position.head<2>().cast<double>();
