@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/wall_axis.h"
+#include "core/openings/hole_edges.h"
 #include "core/openings/leaf.h"
 #include "core/openings/openings.h"
 #include "core/openings/wall_view.h"
@@ -86,12 +87,18 @@ OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, co
         {
             const double doorRadius = std::max(params.clusterRadius_m, 2.5 * cells.size_m),
                          windowRadius = std::max(0.05, 2.0 * cells.size_m);
+            const auto whole = [&](const Hole& h) { return cells.hasGuesses ? grownToFaces(view, h) : h; };
             for (const Hole& h : labelledHoles(view, OpeningKind::Door, doorRadius, params.maximumDoorWidth_m))
                 if (h.width() >= params.minimumDoorWidth_m && h.top >= params.minimumDoorHeight_m)
-                    add({h.begin, h.end, 0.0, h.top, h.points, h.labelShare, h.sides, h.head}, OpeningKind::Door);
-            for (const Hole& h : labelledHoles(view, OpeningKind::Window, windowRadius, params.maximumDoorWidth_m))
-                if (h.width() >= params.minimumWindowWidth_m && h.height() >= params.minimumWindowHeight_m &&
-                    static_cast<double>(h.points) > 20)
+                {
+                    Hole door = whole(h);
+                    door.bottom = 0.0;
+                    add(door, OpeningKind::Door);
+                }
+            for (const Hole& seen : labelledHoles(view, OpeningKind::Window, windowRadius, params.maximumDoorWidth_m))
+                if (const Hole h = whole(seen); h.width() >= params.minimumWindowWidth_m &&
+                                                h.height() >= params.minimumWindowHeight_m &&
+                                                static_cast<double>(h.points) > 20)
                     add(h, cells.hasGuesses && isDoorShaped(h, params) ? OpeningKind::Door : OpeningKind::Window);
         }
         const WallAxis axis(wall);

@@ -21,4 +21,8 @@ namespace s2b
 /// Where the faces end towards the hole: the outermost of their points near s; s itself when there are too few.
 [[nodiscard]] double faceEdge(const WallView& view, double s, bool holeIsRight, double bottom, double top);
 
+/// The hole grown to where the wall's faces end about it: a frame or jamb that a model takes for wall is part of the
+/// hole. Only outwards, a quarter of a metre at most, and not where something stands in front of the face.
+[[nodiscard]] Hole grownToFaces(const WallView& view, const Hole& hole);
+
 }  // namespace s2b

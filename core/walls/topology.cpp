@@ -44,7 +44,9 @@ bool isOneWall(const WallBody& a, const WallBody& b, const PlanMask& mask, const
     if (!sameFace && !(lowFits && highFits))
         return false;
     const double gap = std::max(a.begin, b.begin) - std::min(a.end, b.end);
-    if (gap <= 0.05)
+    // Nothing passes through a crack, whatever a pixel of the mask in it says.
+    constexpr double crack_m = 0.15;
+    if (gap <= crack_m)
         return true;
     if (gap > params.mergeUnseen_m)
         return false;

@@ -88,5 +88,28 @@ TEST(GuessedLabels, OfZeroConfidenceAreNone)
     EXPECT_GE(reconstructed(cloud, &none).walls.size(), 4u);
 }
 
+/// A closed door of 0.9 m whose frame a model takes for wall: the hole reaches to where the wall's faces end.
+TEST(GuessedLabels, MakeAHoleAsWideAsTheFacesLeaveIt)
+{
+    HandMadeCloud cloud;
+    test::RoomGaps west, east;
+    west.east = east.west = {{1.0, 1.9, 0.0, 2.1}};
+    cloud.room({0, 0}, {4, 3}, 0, 2.6, west);
+    cloud.room({4.2, 0}, {8.2, 3}, 0, 2.6, east);
+    cloud.wallFace({4.1, 1.0}, {4.1, 1.08}, 0.0, 2.1, Label::Wall);
+    cloud.wallFace({4.1, 1.08}, {4.1, 1.82}, 0.0, 2.02, Label::Door);
+    cloud.wallFace({4.1, 1.08}, {4.1, 1.82}, 2.02, 2.1, Label::Wall);
+    cloud.wallFace({4.1, 1.82}, {4.1, 1.9}, 0.0, 2.1, Label::Wall);
+    const std::vector<std::uint8_t> sure(cloud.size(), 255);
+    const Building given = reconstructed(cloud, nullptr), guessed = reconstructed(cloud, &sure);
+    ASSERT_EQ(given.openings.size(), 1u);
+    ASSERT_EQ(guessed.openings.size(), 1u);
+    constexpr double edge_m = 0.02;  // a cell
+    EXPECT_NEAR(given.openings[0].width.value_m, 0.74, 2 * edge_m) << "given labels are taken at their word";
+    EXPECT_NEAR(guessed.openings[0].width.value_m, 0.9, 2 * edge_m);
+    EXPECT_NEAR(guessed.openings[0].height.value_m, 2.1, edge_m);
+    EXPECT_EQ(guessed.openings[0].kind, OpeningKind::Door);
+}
+
 }  // namespace
 }  // namespace s2b

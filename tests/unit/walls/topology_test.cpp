@@ -121,6 +121,25 @@ TEST(Topology, FillsACrossingOfFourRooms)
     EXPECT_GE(countJunctions(walls, false), 4u);
 }
 
+/// Two ends of bodies from different faces may miss each other by centimetres; a passage is wider than that.
+TEST(Topology, ClosesACrackWhateverIsSeenInIt)
+{
+    HandMadeCloud cloud;
+    cloud.room({0, 0}, {4, 3});
+    Level level;
+    level.ceiling_m = 2.6, level.ceilingSeen = true, level.ceilings = {2.6};
+    const PlanMask mask(test::cellsOf(cloud), level);
+    WallBody first;
+    first.low = 1.4, first.high = 1.5, first.lowSeen = first.highSeen = true, first.begin = 0.5, first.end = 2.0;
+    WallBody second = first;
+    second.lowSeen = false, second.end = 3.5;
+    for (const auto& [gap, count] : {std::pair(0.08, 1u), std::pair(0.4, 2u)})
+    {
+        second.begin = first.end + gap;
+        EXPECT_EQ(mergeBodies({first, second}, mask, {}).size(), count) << gap << " m of open room between them";
+    }
+}
+
 TEST(Topology, KeepsOneWallAcrossADoorway)
 {
     HandMadeCloud cloud;
