@@ -106,7 +106,7 @@ def columns(with_labels=False):
     if with_labels:
         out += [("labels", title, of_labels(name), 2) for name, title in
                 (("mean", "mIoU"), ("floor", "flo"), ("ceiling", "cei"), ("wall", "wal"), ("column", "col"), ("door", "doo"), ("window", "win"))]
-        out.append(("labels", "sec", of_labels("seconds"), 1))
+        out += [("labels", "sec", of_labels("seconds"), 1), ("labels", "M/s", of_labels("millions_per_second"), 2)]
     for name in CLASSES:
         out += [(name, "IoU", of(name, "iou"), 2), (name, "F1", of(name, "f1"), 2)]
         if name == "wall":

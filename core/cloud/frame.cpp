@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/cloud/frame.h"
 
+#include "core/base/parallel.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -78,77 +80,94 @@ double histogramPeak(const SurfaceCells& cells, double tolerance)
     return centre + (weight > 0 ? sum / weight : 0);
 }
 
-/// Mean slope of the largest planes against the current axes: least squares of offset over position, per plane.
-double slopeOfLargestPlanes(const SurfaceCells& cells, double yaw, double tolerance)
+/// Least squares of offset over position, summed over planes.
+struct Slope
+{
+    double numerator = 0, denominator = 0;
+};
+
+/// Slope of the largest planes whose normals are near one of the current axes.
+Slope slopeOfPlanes(const SurfaceCells& cells, double yaw, double tolerance, std::size_t axis)
 {
     const double co = std::cos(yaw), si = std::sin(yaw);
-    double numerator = 0, denominator = 0;
-    for (int axis = 0; axis < 2; ++axis)
+    Slope slope;
+    struct Sample
     {
-        struct Sample
-        {
-            double offset, along, weight;
-        };
-        std::vector<Sample> samples;
-        const std::size_t step = cells.cells.size() / kSamples + 1;
-        for (std::size_t i = 0; i < cells.cells.size(); i += step)
-        {
-            const SurfaceCell& c = cells.cells[i];
-            if (!isVertical(c, tolerance))
-                continue;
-            const double w = weightOf(cells, c);
-            const double nx = co * c.normal.x() + si * c.normal.y(), ny = -si * c.normal.x() + co * c.normal.y();
-            if (w == 0 || std::abs(axis == 0 ? nx : ny) < 0.985)
-                continue;
-            const double x = co * c.position.x() + si * c.position.y(), y = -si * c.position.x() + co * c.position.y();
-            // Offset along the normal and position along the plane, such that d offset / d along is a turn of the axes.
-            axis == 0 ? samples.push_back({-x, y, w}) : samples.push_back({y, x, w});
-        }
-        std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b)
-                  { return std::tie(a.offset, a.along) < std::tie(b.offset, b.along); });
-        // Windows of 6 cm, the heaviest first, taking their samples out.
-        constexpr double window = 0.06;
-        std::vector<char> used(samples.size(), 0);
-        for (int plane = 0; plane < 12; ++plane)
-        {
-            double sum = 0, bestSum = 0;
-            std::size_t first = 0, bestFirst = 0, bestLast = 0;
-            for (std::size_t i = 0; i < samples.size(); ++i)
-            {
-                sum += used[i] ? 0 : samples[i].weight;
-                while (samples[i].offset - samples[first].offset > window)
-                    sum -= used[first] ? 0 : samples[first].weight, ++first;
-                if (sum > bestSum)
-                    bestSum = sum, bestFirst = first, bestLast = i;
-            }
-            if (bestSum < 50)
-                break;
-            double w = 0, ma = 0, mo = 0;
-            for (std::size_t i = bestFirst; i <= bestLast; ++i)
-                if (!used[i])
-                    w += samples[i].weight, ma += samples[i].weight * samples[i].along,
-                        mo += samples[i].weight * samples[i].offset;
-            ma /= w, mo /= w;
-            for (std::size_t i = bestFirst; i <= bestLast; ++i)
-                if (!used[i])
-                {
-                    const double a = samples[i].along - ma;
-                    numerator += samples[i].weight * a * (samples[i].offset - mo);
-                    denominator += samples[i].weight * a * a;
-                    used[i] = 1;
-                }
-        }
+        double offset, along, weight;
+    };
+    std::vector<Sample> samples;
+    const std::size_t step = cells.cells.size() / kSamples + 1;
+    for (std::size_t i = 0; i < cells.cells.size(); i += step)
+    {
+        const SurfaceCell& c = cells.cells[i];
+        if (!isVertical(c, tolerance))
+            continue;
+        const double w = weightOf(cells, c);
+        const double nx = co * c.normal.x() + si * c.normal.y(), ny = -si * c.normal.x() + co * c.normal.y();
+        if (w == 0 || std::abs(axis == 0 ? nx : ny) < 0.985)
+            continue;
+        const double x = co * c.position.x() + si * c.position.y(), y = -si * c.position.x() + co * c.position.y();
+        // Offset along the normal and position along the plane, such that d offset / d along is a turn of the axes.
+        axis == 0 ? samples.push_back({-x, y, w}) : samples.push_back({y, x, w});
     }
-    return denominator > 0 ? numerator / denominator : 0;
+    std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b)
+              { return std::tie(a.offset, a.along) < std::tie(b.offset, b.along); });
+    // Windows of 6 cm, the heaviest first, taking their samples out.
+    constexpr double window = 0.06;
+    std::vector<char> used(samples.size(), 0);
+    for (int plane = 0; plane < 12; ++plane)
+    {
+        double sum = 0, bestSum = 0;
+        std::size_t first = 0, bestFirst = 0, bestLast = 0;
+        for (std::size_t i = 0; i < samples.size(); ++i)
+        {
+            sum += used[i] ? 0 : samples[i].weight;
+            while (samples[i].offset - samples[first].offset > window)
+                sum -= used[first] ? 0 : samples[first].weight, ++first;
+            if (sum > bestSum)
+                bestSum = sum, bestFirst = first, bestLast = i;
+        }
+        if (bestSum < 50)
+            break;
+        double w = 0, ma = 0, mo = 0;
+        for (std::size_t i = bestFirst; i <= bestLast; ++i)
+            if (!used[i])
+                w += samples[i].weight, ma += samples[i].weight * samples[i].along,
+                    mo += samples[i].weight * samples[i].offset;
+        ma /= w, mo /= w;
+        for (std::size_t i = bestFirst; i <= bestLast; ++i)
+            if (!used[i])
+            {
+                const double a = samples[i].along - ma;
+                slope.numerator += samples[i].weight * a * (samples[i].offset - mo);
+                slope.denominator += samples[i].weight * a * a;
+                used[i] = 1;
+            }
+    }
+    return slope;
+}
+
+/// Mean slope of the largest planes against the current axes.
+double slopeOfLargestPlanes(const SurfaceCells& cells, double yaw, double tolerance, const Context& context)
+{
+    std::array<Slope, 2> slopes;
+    parallelChunks(2, 1, context,
+                   [&](std::size_t begin, std::size_t end)
+                   {
+                       for (std::size_t axis = begin; axis < end; ++axis)
+                           slopes[axis] = slopeOfPlanes(cells, yaw, tolerance, axis);
+                   });
+    const double denominator = slopes[0].denominator + slopes[1].denominator;
+    return denominator > 0 ? (slopes[0].numerator + slopes[1].numerator) / denominator : 0;
 }
 
 }  // namespace
 
-double findDominantYaw(const SurfaceCells& cells, const FrameParams& params)
+double findDominantYaw(const SurfaceCells& cells, const FrameParams& params, const Context& context)
 {
     double yaw = histogramPeak(cells, params.verticalTolerance);
     for (int i = 0; i < 4; ++i)
-        yaw += slopeOfLargestPlanes(cells, yaw, params.verticalTolerance);
+        yaw += slopeOfLargestPlanes(cells, yaw, params.verticalTolerance, context);
     return std::remainder(yaw, kQuarter);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/context.h"
 #include "core/cloud/surface_cells.h"
 #include "core/model/building.h"
 
@@ -17,7 +18,7 @@ struct FrameParams
 ///
 /// From the normals of vertical surfaces folded to a quarter turn, then refined on the largest planes' own points.
 /// @return 0 when there is no vertical surface.
-[[nodiscard]] double findDominantYaw(const SurfaceCells& cells, const FrameParams& params);
+[[nodiscard]] double findDominantYaw(const SurfaceCells& cells, const FrameParams& params, const Context& context = {});
 
 /// Turns cells by -yaw about the vertical through the origin.
 void rotateCells(SurfaceCells& cells, double yaw_rad);

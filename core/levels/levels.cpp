@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/levels/levels.h"
 
+#include "core/base/parallel_sort.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,9 +24,9 @@ struct Surface
 {
     std::int32_t x = 0, y = 0;
     double z = 0;
-    bool isLevel = false;    ///< horizontal
-    bool maybeFloor = true;  ///< its label does not say otherwise
-    bool maybeCeiling = true;
+    bool isLevel = false;     ///< horizontal
+    bool maybeFloor = false;  ///< its label does not say otherwise
+    bool maybeCeiling = false;
 };
 
 /// Floor and ceiling above each other in one column.
@@ -45,12 +47,19 @@ double columnEdge(const SurfaceCells& cells)
     return std::max(kColumn_m, 2.5 * cells.size_m);
 }
 
-std::vector<Surface> surfacesByColumn(const SurfaceCells& cells)
+std::vector<Surface> surfacesByColumn(const SurfaceCells& cells, const Context& context)
 {
     const double column = columnEdge(cells);
     // Stray cells (mixed pixels, what was seen through windows) are no surface.
     const int minimumCells = std::max(2, static_cast<int>(0.2 * (column / cells.size_m) * (column / cells.size_m)));
-    std::vector<Surface> raw;
+    // Small: sorting these is most of the work.
+    struct Hit
+    {
+        std::int32_t x, y;
+        float z;
+        bool isLevel, maybeFloor, maybeCeiling;
+    };
+    std::vector<Hit> raw;
     for (const SurfaceCell& c : cells.cells)
     {
         const double nz = std::abs(static_cast<double>(c.normal.z()));
@@ -62,11 +71,12 @@ std::vector<Surface> surfacesByColumn(const SurfaceCells& cells)
             (c.label == Label::Furniture || c.label == Label::Stair || c.label == Label::Door ||
              c.label == Label::Window || c.label == Label::Wall || c.label == Label::Column))
             continue;
-        Surface s;
+        Hit s{};
         s.x = static_cast<std::int32_t>(std::floor(static_cast<double>(c.position.x()) / column));
         s.y = static_cast<std::int32_t>(std::floor(static_cast<double>(c.position.y()) / column));
-        s.z = static_cast<double>(c.position.z());
+        s.z = c.position.z();
         s.isLevel = nz > 0.95;
+        s.maybeFloor = s.maybeCeiling = true;
         if (cells.labelsAreSure())
         {
             s.maybeFloor = c.label == Label::Floor;
@@ -77,27 +87,26 @@ std::vector<Surface> surfacesByColumn(const SurfaceCells& cells)
             (c.normal.z() > 0 ? s.maybeCeiling : s.maybeFloor) = false;
         raw.push_back(s);
     }
-    std::sort(raw.begin(), raw.end(),
-              [](const Surface& a, const Surface& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
+    parallelSort(raw, context,
+                 [](const Hit& a, const Hit& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
     std::vector<Surface> merged;
     for (std::size_t i = 0; i < raw.size();)
     {
-        Surface s = raw[i];
+        const Hit first = raw[i];
+        const auto lowest = static_cast<double>(first.z);
         double sum = 0;
         int n = 0, level = 0, floorVotes = 0, ceilingVotes = 0;
-        for (; i < raw.size() && sameColumn(raw[i], s) && raw[i].z - s.z < kMergeZ_m; ++i)
+        for (; i < raw.size() && raw[i].x == first.x && raw[i].y == first.y &&
+               static_cast<double>(raw[i].z) - lowest < kMergeZ_m;
+             ++i)
         {
-            sum += raw[i].z, ++n;
+            sum += static_cast<double>(raw[i].z), ++n;
             level += raw[i].isLevel;
             floorVotes += raw[i].maybeFloor;
             ceilingVotes += raw[i].maybeCeiling;
         }
-        s.z = sum / n;
-        s.isLevel = 2 * level > n;
-        s.maybeFloor = 2 * floorVotes > n;
-        s.maybeCeiling = 2 * ceilingVotes > n;
         if (n >= minimumCells)
-            merged.push_back(s);
+            merged.push_back({first.x, first.y, sum / n, 2 * level > n, 2 * floorVotes > n, 2 * ceilingVotes > n});
     }
     return merged;
 }
@@ -233,7 +242,7 @@ void raiseAboveTerrain(std::vector<Peak>& peaks, const HeightHistogram& openFloo
 LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, const Context& context)
 {
     LevelResult result;
-    const std::vector<Surface> surfaces = surfacesByColumn(cells);
+    const std::vector<Surface> surfaces = surfacesByColumn(cells, context);
     context.checkCancelled();
     if (surfaces.empty())
     {
@@ -308,8 +317,8 @@ LevelResult findLevels(const SurfaceCells& cells, const LevelParams& params, con
     };
     for (const Peak& p : openPeaks)
     {
-        if ((!cells.labelsAreSure() && largestPaired >= params.minimumArea_m2 && !isUpperFloor(p)) ||
-            p.area < params.minimumArea_m2)
+        if (p.area < params.minimumArea_m2 ||
+            (!cells.labelsAreSure() && largestPaired >= params.minimumArea_m2 && !isUpperFloor(p)))
             continue;
         const auto same =
             std::find_if(peaks.begin(), peaks.end(), [&](const Peak& q) { return std::abs(p.z - q.z) < kSameFloor_m; });

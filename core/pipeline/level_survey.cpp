@@ -49,7 +49,7 @@ LevelSurvey surveyLevels(const CloudView& cloud, const PipelineOptions& options,
     const Parameters& p = options.parameters;
     SurfaceCells cells = surfaceCellsOf(cloud, options, context);
     context.report("Levels", 0.9);
-    rotateCells(cells, findDominantYaw(cells, p.frame));  // the plan columns of the levels follow the walls
+    rotateCells(cells, findDominantYaw(cells, p.frame, context));  // the plan columns of the levels follow the walls
 
     LevelSurvey survey;
     survey.profile = profileOf(cells, p.levels.binSize_m, cloud.origin.z());

@@ -42,7 +42,7 @@ Building reconstruct(const CloudView& cloud, const PipelineOptions& options, con
     input.stations = stations.view;
     SurfaceCells cells = surfaceCellsOf(input, options, context);
     context.report("Building frame", 0.5);
-    const double yaw = findDominantYaw(cells, p.frame);
+    const double yaw = findDominantYaw(cells, p.frame, context);
     rotateCells(cells, yaw);
 
     Building building;

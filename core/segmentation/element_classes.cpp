@@ -4,7 +4,6 @@
 #include "core/cloud/cell_index.h"
 #include "core/cloud/cell_moments.h"
 #include "core/geometry/polygon.h"
-#include "core/levels/levels.h"
 #include "core/model/wall_axis.h"
 #include "core/pipeline/stage_runs.h"
 
@@ -129,28 +128,27 @@ std::vector<Hole> holesOf(const Wall& wall, const std::vector<Opening>& openings
 
 }  // namespace
 
-void settleByElements(const SurfaceCells& cells, std::vector<CellClass>& classes, const Context& context)
+void settleByElements(SurfaceCells cells, const std::vector<Level>& levels, std::vector<CellClass>& classes,
+                      const Context& context)
 {
-    SurfaceCells guessed = cells;
-    guessed.hasLabels = guessed.hasGuesses = true;
+    cells.hasLabels = cells.hasGuesses = true;
     for (std::size_t i = 0; i < classes.size(); ++i)
     {
-        guessed.cells[i].labelShare = classes[i].confidence;
-        guessed.cells[i].label = classes[i].confidence < kLeastGuess ? Label::Unassigned : classes[i].label;
+        cells.cells[i].labelShare = classes[i].confidence;
+        cells.cells[i].label = classes[i].confidence < kLeastGuess ? Label::Unassigned : classes[i].label;
     }
-    const LevelResult levels = findLevels(guessed, {}, context);
     PipelineOptions options;
     options.stages = {Stage::Levels, Stage::Walls, Stage::Doors, Stage::Windows, Stage::Openings, Stage::Columns};
     std::vector<StoreyTask> tasks;
     std::uint32_t nextId = 1;
-    for (const Level& level : levels.levels)
+    for (const Level& level : levels)
     {
         const ElementId storey{nextId++};
         tasks.push_back({level, storey, "the storey"});
     }
     Context silent = context;  // of progress: the segmentation tells its own
     silent.progress = nullptr;
-    const std::vector<StoreyRun> runs = runStoreys(guessed, tasks, options, nextId, silent);
+    const std::vector<StoreyRun> runs = runStoreys(cells, tasks, options, nextId, silent);
     for (std::size_t i = 0; i < runs.size(); ++i)
     {
         const CellIndex index(cells, tasks[i].level.floor_m - 0.2, tasks[i].level.highestCeiling_m() + 0.4);

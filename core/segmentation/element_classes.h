@@ -3,6 +3,7 @@
 
 #include "core/base/context.h"
 #include "core/cloud/surface_cells.h"
+#include "core/levels/levels.h"
 
 #include <cstdint>
 #include <vector>
@@ -25,8 +26,10 @@ struct CellClass
 /// openings is wall, and what lies on a column's outline is column.
 ///
 /// @param cells  turned to the building's main directions; their own labels are not looked at
+/// @param levels  of the cells; a model's labels would not change them
 /// @param classes  by cell; changed in place
 /// Cost: about that of a reconstruction without slabs and spaces. Deterministic for any number of threads.
-void settleByElements(const SurfaceCells& cells, std::vector<CellClass>& classes, const Context& context);
+void settleByElements(SurfaceCells cells, const std::vector<Level>& levels, std::vector<CellClass>& classes,
+                      const Context& context);
 
 }  // namespace s2b

@@ -159,19 +159,12 @@ std::vector<Tensor> makeInputs(const ModelContract& contract, std::span<const st
     std::optional<PlanGrid> grid;
     if (contract.plan.isUsed())
         grid.emplace(contract.plan, set);
-    std::vector<Tensor> tensors;
-    for (const std::string& name : names)
+    const auto tensorOf = [&](const std::string& name) -> Tensor
     {
         if (name == "cells")
-        {
-            tensors.push_back(cellTensor(contract, set, grid, context));
-            continue;
-        }
+            return cellTensor(contract, set, grid, context);
         if (name == "plan")
-        {
-            tensors.push_back(planTensor(*grid, contract.plan, set, context));
-            continue;
-        }
+            return planTensor(*grid, contract.plan, set);
         std::vector<std::int64_t> at;
         at.reserve(set.cells.size());
         for (const SurfaceCell& c : set.cells)
@@ -179,8 +172,15 @@ std::vector<Tensor> makeInputs(const ModelContract& contract, std::span<const st
             const PlanPlace p = grid->place(c);
             at.push_back(name == "pixel" ? p.y * grid->width() + p.x : p.bin);
         }
-        tensors.push_back({name, {static_cast<std::int64_t>(at.size())}, std::move(at)});
-    }
+        return {name, {static_cast<std::int64_t>(at.size())}, std::move(at)};
+    };
+    std::vector<Tensor> tensors(names.size());
+    parallelChunks(names.size(), 1, context,
+                   [&](std::size_t begin, std::size_t end)
+                   {
+                       for (std::size_t i = begin; i < end; ++i)
+                           tensors[i] = tensorOf(names[i]);
+                   });
     return tensors;
 }
 

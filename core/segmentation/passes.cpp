@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/segmentation/passes.h"
 
-#include "core/levels/levels.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -76,29 +74,29 @@ void addTiles(const SurfaceCells& cells, const std::vector<std::uint32_t>& store
 
 }  // namespace
 
-std::vector<SegmentPass> planPasses(const SurfaceCells& cells, const SegmentParams& params, const Context& context)
+std::vector<SegmentPass> planPasses(const SurfaceCells& cells, std::vector<Level> levels, const SegmentParams& params,
+                                    const Context& context)
 {
-    LevelResult levels = findLevels(cells, {}, context);
-    if (levels.levels.empty())
+    if (levels.empty())
     {
         std::vector<float> z;
         z.reserve(cells.cells.size());
         for (const SurfaceCell& c : cells.cells)
             z.push_back(c.position.z());
-        levels.levels.emplace_back();
-        levels.levels[0].floor_m = heightOfShare(z, 0.02);
-        levels.levels[0].ceiling_m = heightOfShare(z, 0.98);
+        levels.emplace_back();
+        levels[0].floor_m = heightOfShare(z, 0.02);
+        levels[0].ceiling_m = heightOfShare(z, 0.98);
     }
     std::vector<double> tops;
-    for (std::size_t i = 0; i + 1 < levels.levels.size(); ++i)
+    for (std::size_t i = 0; i + 1 < levels.size(); ++i)
     {
-        const Level& level = levels.levels[i];
-        const double floor = levels.levels[i + 1].floor_m, ceiling = level.highestCeiling_m();
+        const Level& level = levels[i];
+        const double floor = levels[i + 1].floor_m, ceiling = level.highestCeiling_m();
         // Through the middle of the slab: of a thin one both surfaces are within centimetres.
         tops.push_back(level.ceilingSeen && ceiling < floor ? 0.5 * (ceiling + floor)
                                                             : std::min(level.ceilingLimit_m, floor - kBelowFloor_m));
     }
-    std::vector<std::vector<std::uint32_t>> storeys(levels.levels.size());
+    std::vector<std::vector<std::uint32_t>> storeys(levels.size());
     for (std::size_t i = 0; i < cells.cells.size(); ++i)
     {
         const auto z = static_cast<double>(cells.cells[i].position.z());
@@ -112,8 +110,8 @@ std::vector<SegmentPass> planPasses(const SurfaceCells& cells, const SegmentPara
         if (storeys[s].empty())
             continue;
         SegmentPass like;
-        like.floor_m = levels.levels[s].floor_m;
-        like.ceiling_m = levels.levels[s].highestCeiling_m();
+        like.floor_m = levels[s].floor_m;
+        like.ceiling_m = levels[s].highestCeiling_m();
         addTiles(cells, storeys[s], storeys[s], like, params, passes);
     }
     return passes;

@@ -3,6 +3,7 @@
 
 #include "core/base/context.h"
 #include "core/cloud/surface_cells.h"
+#include "core/levels/levels.h"
 #include "core/segmentation/segment.h"
 
 #include <cstdint>
@@ -22,8 +23,9 @@ struct SegmentPass
 /// Cuts the cells into storeys, and these into tiles where they are large. Every cell is inside exactly one pass.
 ///
 /// A cell belongs to the storey whose floor it is above, up to the middle of the next slab; what is below all belongs
-/// to the lowest. Without any level all cells are one storey between their own lowest and highest surfaces.
-[[nodiscard]] std::vector<SegmentPass> planPasses(const SurfaceCells& cells, const SegmentParams& params,
-                                                  const Context& context);
+/// to the lowest. Without any of the levels (from the lowest to the highest) all cells are one storey between their own
+/// lowest and highest surfaces.
+[[nodiscard]] std::vector<SegmentPass> planPasses(const SurfaceCells& cells, std::vector<Level> levels,
+                                                  const SegmentParams& params, const Context& context);
 
 }  // namespace s2b

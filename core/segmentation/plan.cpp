@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/segmentation/plan.h"
 
-#include "core/base/parallel.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -57,66 +55,85 @@ Kind kindOf(const Eigen::Vector3f& normal)
     return nz > kLevel ? Kind::Level : Kind::Rest;
 }
 
-/// One channel of all bins.
-void fillChannel(Channel channel, const PlanGrid& grid, const PlanContract& plan, const CellSet& set, float* out)
+/// The channels of a plan: what is wanted of them, and how many cells a mean is of.
+class Channels
 {
-    const std::size_t pixels = static_cast<std::size_t>(grid.width() * grid.height());
-    const std::size_t size = pixels * static_cast<std::size_t>(plan.bins);
-    const auto at = [&](const PlanPlace& p)
-    { return static_cast<std::size_t>(p.bin) * pixels + static_cast<std::size_t>(p.y * grid.width() + p.x); };
-    const double area = set.size_m * set.size_m;
-    const auto uprightArea = static_cast<float>(area / (plan.pixel_m * plan.bin_m));
-    const auto levelArea = static_cast<float>(area / (plan.pixel_m * plan.pixel_m));
-    std::vector<float> count;
-    const bool isMean = channel == UprightShare || channel == FacingXPlace || channel == FacingYPlace;
-    if (isMean)
-        count.assign(size, 0.0f);
-    for (const SurfaceCell& cell : set.cells)
+public:
+    Channels(const PlanGrid& grid, const PlanContract& plan, std::vector<float>& values)
+        : m_pixels(static_cast<std::size_t>(grid.width() * grid.height())),
+          m_size(m_pixels * static_cast<std::size_t>(plan.bins)),
+          m_side_m2(plan.pixel_m * plan.bin_m),
+          m_floor_m2(plan.pixel_m * plan.pixel_m)
     {
-        const Kind kind = kindOf(cell.normal);
-        const PlanPlace p = grid.place(cell);
-        const std::size_t i = at(p);
-        switch (channel)
+        for (std::size_t k = 0; k < plan.channels.size(); ++k)
         {
-            case Cells:
-                out[i] += 1.0f;
-                break;
-            case UprightShare:
-                out[i] += kind == Kind::FacingX || kind == Kind::FacingY ? 1.0f : 0.0f;
-                count[i] += 1.0f;
-                break;
-            case FacingX:
-                out[i] += kind == Kind::FacingX ? uprightArea : 0.0f;
-                break;
-            case FacingY:
-                out[i] += kind == Kind::FacingY ? uprightArea : 0.0f;
-                break;
-            case FacingXPlace:
-                out[i] += kind == Kind::FacingX ? p.dx : 0.0f;
-                count[i] += kind == Kind::FacingX ? 1.0f : 0.0f;
-                break;
-            case FacingYPlace:
-                out[i] += kind == Kind::FacingY ? p.dy : 0.0f;
-                count[i] += kind == Kind::FacingY ? 1.0f : 0.0f;
-                break;
-            case LevelArea:
-                out[i] += kind == Kind::Level ? levelArea : 0.0f;
-                break;
-            case RestArea:
-                out[i] += kind == Kind::Rest ? uprightArea : 0.0f;
-                break;
-            case ChannelCount:
-                break;
+            const auto found = std::ranges::find(kChannels, plan.channels[k], &FeatureInfo::name);
+            m_values[static_cast<std::size_t>(found - kChannels.begin())] = values.data() + k * m_size;
+        }
+        for (const std::size_t channel : {UprightShare, FacingXPlace, FacingYPlace})
+            if (m_values[channel])
+                m_counts[channel].assign(m_size, 0.0f);
+    }
+
+    void add(const PlanGrid& grid, const CellSet& set)
+    {
+        const double area = set.size_m * set.size_m;
+        const auto upright = static_cast<float>(area / m_side_m2), level = static_cast<float>(area / m_floor_m2);
+        for (const SurfaceCell& cell : set.cells)
+        {
+            const PlanPlace p = grid.place(cell);
+            const std::size_t i =
+                static_cast<std::size_t>(p.bin) * m_pixels + static_cast<std::size_t>(p.y * grid.width() + p.x);
+            sum(Cells, i, 1.0f);
+            const Kind kind = kindOf(cell.normal);
+            mean(UprightShare, i, kind == Kind::FacingX || kind == Kind::FacingY ? 1.0f : 0.0f);
+            switch (kind)
+            {
+                case Kind::FacingX:
+                    sum(FacingX, i, upright);
+                    mean(FacingXPlace, i, p.dx);
+                    break;
+                case Kind::FacingY:
+                    sum(FacingY, i, upright);
+                    mean(FacingYPlace, i, p.dy);
+                    break;
+                case Kind::Level:
+                    sum(LevelArea, i, level);
+                    break;
+                case Kind::Rest:
+                    sum(RestArea, i, upright);
+                    break;
+            }
         }
     }
-    for (std::size_t i = 0; i < size; ++i)
+
+    void finish()
     {
-        if (channel == Cells)
-            out[i] = std::log1p(out[i]);
-        else if (isMean && count[i] > 1.0f)
-            out[i] /= count[i];
+        if (float* cells = m_values[Cells])
+            std::transform(cells, cells + m_size, cells, [](float n) { return std::log1p(n); });
+        for (std::size_t channel = 0; channel < ChannelCount; ++channel)
+            for (std::size_t i = 0; i < m_counts[channel].size(); ++i)
+                if (m_counts[channel][i] > 1.0f)
+                    m_values[channel][i] /= m_counts[channel][i];
     }
-}
+
+private:
+    void sum(Channel channel, std::size_t i, float by)
+    {
+        if (m_values[channel])
+            m_values[channel][i] += by;
+    }
+    void mean(Channel channel, std::size_t i, float of)
+    {
+        if (m_values[channel])
+            m_values[channel][i] += of, m_counts[channel][i] += 1.0f;
+    }
+
+    std::size_t m_pixels, m_size;
+    double m_side_m2, m_floor_m2;  ///< of a bin
+    std::array<float*, ChannelCount> m_values{};
+    std::array<std::vector<float>, ChannelCount> m_counts;
+};
 
 }  // namespace
 
@@ -160,21 +177,13 @@ std::span<const FeatureInfo> knownPlanChannels()
     return kChannels;
 }
 
-Tensor planTensor(const PlanGrid& grid, const PlanContract& plan, const CellSet& set, const Context& context)
+Tensor planTensor(const PlanGrid& grid, const PlanContract& plan, const CellSet& set)
 {
     const auto layers = static_cast<std::int64_t>(plan.channels.size()) * plan.bins;
-    const std::size_t perChannel = static_cast<std::size_t>(plan.bins * grid.width() * grid.height());
-    std::vector<float> values(perChannel * plan.channels.size(), 0.0f);
-    parallelChunks(plan.channels.size(), 1, context,
-                   [&](std::size_t begin, std::size_t end)
-                   {
-                       for (std::size_t k = begin; k < end; ++k)
-                       {
-                           const auto found = std::ranges::find(kChannels, plan.channels[k], &FeatureInfo::name);
-                           fillChannel(static_cast<Channel>(found - kChannels.begin()), grid, plan, set,
-                                       values.data() + k * perChannel);
-                       }
-                   });
+    std::vector<float> values(static_cast<std::size_t>(layers * grid.width() * grid.height()), 0.0f);
+    Channels channels(grid, plan, values);
+    channels.add(grid, set);
+    channels.finish();
     return {"plan", {1, layers, grid.height(), grid.width()}, std::move(values)};
 }
 

@@ -41,7 +41,6 @@ private:
 [[nodiscard]] std::span<const FeatureInfo> knownPlanChannels();
 
 /// [1][channels * bins][height][width].  Cost: O(cells + size).
-[[nodiscard]] Tensor planTensor(const PlanGrid& grid, const PlanContract& plan, const CellSet& set,
-                                const Context& context);
+[[nodiscard]] Tensor planTensor(const PlanGrid& grid, const PlanContract& plan, const CellSet& set);
 
 }  // namespace s2b

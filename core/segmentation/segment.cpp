@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <format>
+#include <future>
 
 namespace s2b
 {
@@ -86,8 +87,9 @@ Segmentation segment(const CloudView& cloud, const OnnxModel& model, const Segme
     if (input.rgb)
         colours = cellColours(input, points, cells.cells.size(), context);
     context.report("Storeys", 0.25);
-    rotateCells(cells, findDominantYaw(cells, {}));
-    const std::vector<SegmentPass> passes = planPasses(cells, params, context);
+    rotateCells(cells, findDominantYaw(cells, {}, context));
+    const std::vector<Level> levels = findLevels(cells, {}, context).levels;
+    const std::vector<SegmentPass> passes = planPasses(cells, levels, params, context);
 
     std::vector<CellClass> classes(cells.cells.size());
     std::size_t total = 0, done = 0;
@@ -98,14 +100,19 @@ Segmentation segment(const CloudView& cloud, const OnnxModel& model, const Segme
         return 0.3 + 0.6 * (static_cast<double>(done) + within * static_cast<double>(pass.cells.size())) /
                          static_cast<double>(total);
     };
+    // The next pass's features are made while the network looks at this one: neither keeps all cores busy.
+    const auto inputsOf = [&](std::size_t k)
+    { return makeInputs(contract, model.inputNames(), cellsOf(cells, colours, passes[k]), context); };
+    std::future<std::vector<Tensor>> next = std::async(std::launch::async, inputsOf, 0u);
     for (std::size_t k = 0; k < passes.size(); ++k)
     {
         const SegmentPass& pass = passes[k];
         const std::string part = passes.size() > 1 ? std::format(" ({} of {})", k + 1, passes.size()) : "";
         context.report("Features" + part, fraction(0.0, pass));
-        const std::vector<Tensor> inputs =
-            makeInputs(contract, model.inputNames(), cellsOf(cells, colours, pass), context);
-        context.report("Network" + part, fraction(0.5, pass));
+        const std::vector<Tensor> inputs = next.get();
+        if (k + 1 < passes.size())
+            next = std::async(std::launch::async, inputsOf, k + 1);
+        context.report("Network" + part, fraction(0.3, pass));
         const std::vector<float> scores = model.run(inputs, pass.cells.size(), context);
         for (std::size_t i = 0; i < pass.inside; ++i)
             classes[pass.cells[i]] = classOf(scores.data() + i * contract.classes.size(), contract);
@@ -115,7 +122,7 @@ Segmentation segment(const CloudView& cloud, const OnnxModel& model, const Segme
     if (params.settle)
     {
         context.report("Elements", 0.9);
-        settleByElements(cells, classes, context);
+        settleByElements(std::move(cells), levels, classes, context);
     }
     context.report("Labels", 0.95);
     Segmentation result;

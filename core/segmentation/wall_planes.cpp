@@ -191,8 +191,13 @@ private:
 std::vector<WallPlane> findWallPlanes(const CellSet& set, const Context& context)
 {
     std::vector<WallPlane> result(set.cells.size());
-    for (const int axis : {0, 1})
-        Facing(set, axis).describe(result, context);
+    // No cell faces both axes.
+    parallelChunks(2, 1, context,
+                   [&](std::size_t begin, std::size_t end)
+                   {
+                       for (std::size_t axis = begin; axis < end; ++axis)
+                           Facing(set, static_cast<int>(axis)).describe(result, context);
+                   });
     return result;
 }
 

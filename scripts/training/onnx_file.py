@@ -30,6 +30,7 @@ with silence():
     from onnx import TensorProto, helper, numpy_helper
 
 OPSET, IR = 17, 8
+BATCH = 8192  # cells: what goes through the perceptron stays in the cache
 
 
 def folded(layer, norm):
@@ -62,10 +63,41 @@ class Graph:
         return self.conv(name, x, weight, bias, layers[0].stride[0])
 
 
+def body(own, bins, size, ints, floats, linear):
+    """The perceptron on the cells of batch number `i`; the last batch is filled up."""
+    g = Graph()
+    start = g.add("Mul", [g.add("Reshape", ["i", ints["one"]], "number"), "batch"], "from")
+    end = g.add("Add", [start, "batch"], "to")
+    cells, pixel, height = (g.add("Slice", [name, start, end, ints["zero"]], f"batch_{name}")
+                            for name in ("cells", "pixel", "bin"))
+    # Row of a cell's bin: bin * height * width + pixel.
+    index = g.add("Add", [g.add("Mul", [height, size], "bin_from"), pixel], "bin_pixel")
+    of_bin = g.add("Gather", [bins, index], "of_bin", axis=0)
+    heights = g.add("Slice", [cells, ints["zero"], ints["two"], ints["axis"]], "heights")
+    others = g.add("Slice", [cells, ints["two"], ints["features"], ints["axis"]], "others")
+    heights = g.add("Clip", [heights, floats["low"], floats["most"]], "heights_limited")
+    others = g.add("Clip", [others, floats["low"], floats["high"]], "others_limited")
+    known = g.add("Concat", [of_bin, heights, others], "known", axis=1)
+    h = g.add("Gemm", [known, "head0.rest", g.add("Gather", [own, pixel], "own", axis=0)], "head0.product", transB=1)
+    for i in range(1, len(linear)):
+        h = g.add("Relu", [h], f"head{i - 1}")
+        h = g.add("Gemm", [h, f"head{i}.weight", f"head{i}.bias"], f"head{i}.product", transB=1)
+    missing = g.add("Sub", ["batch", g.add("Shape", [h], "rows_done", start=0, end=1)], "missing")
+    pads = g.add("Concat", [ints["zero"], ints["zero"], missing, ints["zero"]], "pads", axis=0)
+    g.add("Pad", [h, pads], "batch_scores")
+    g.add("Identity", ["go_on"], "goes_on")
+    return helper.make_graph(
+        g.nodes, "batch",
+        [helper.make_tensor_value_info("i", TensorProto.INT64, []),
+         helper.make_tensor_value_info("go_on", TensorProto.BOOL, [1])],
+        [helper.make_tensor_value_info("goes_on", TensorProto.BOOL, [1]),
+         helper.make_tensor_value_info("batch_scores", TensorProto.FLOAT, [BATCH, linear[-1].out_features])])
+
+
 def build(network):
     g = Graph()
     ints = {name: g.constant(name, np.array(value, np.int64)) for name, value in
-            {"zero": [0], "split": [AREAS], "end": [CHANNELS], "axis": [1], "two": [2], "features": [CELL_FEATURES],
+            {"zero": [0], "one": [1], "split": [AREAS], "end": [CHANNELS], "axis": [1], "two": [2], "features": [CELL_FEATURES],
              "spatial": [4], "wide": [network.widths[0], -1], "by_bin": [BINS, PER_BIN, -1],
              "rows": [-1, PER_BIN]}.items()}
     floats = {name: g.constant(name, np.float32(value)) for name, value in
@@ -86,28 +118,32 @@ def build(network):
                   nearest_mode="floor")
         x = g.block(f"up{i}b", g.add("Add", [y, skip], f"up{i}s"), smooth)
     pixels = g.add("Transpose", [g.add("Reshape", [x, ints["wide"]], "pixels")], "pixel_rows", perm=[1, 0])
-    own = g.add("Gather", [pixels, "pixel"], "own", axis=0)
     bins = g.conv("bins", x, network.bins.weight, network.bins.bias, relu=False)
     bins = g.add("Transpose", [g.add("Reshape", [bins, ints["by_bin"]], "bins3")], "bins_last", perm=[0, 2, 1])
     bins = g.add("Reshape", [bins, ints["rows"]], "bin_rows")
-    # Row of a cell's bin: bin * height * width + pixel.
     sides = g.add("Slice", [g.add("Shape", ["plan"], "shape"), ints["two"], ints["spatial"], ints["zero"]], "sides")
     size = g.add("ReduceProd", [sides], "size", keepdims=1)
-    index = g.add("Add", [g.add("Mul", ["bin", size], "bin_from"), "pixel"], "bin_pixel")
-    of_bin = g.add("Gather", [bins, index], "of_bin", axis=0)
-    heights = g.add("Slice", ["cells", ints["zero"], ints["two"], ints["axis"]], "heights")
-    others = g.add("Slice", ["cells", ints["two"], ints["features"], ints["axis"]], "others")
-    heights = g.add("Clip", [heights, floats["low"], floats["most"]], "heights_limited")
-    others = g.add("Clip", [others, floats["low"], floats["high"]], "others_limited")
-    h = g.add("Concat", [own, of_bin, heights, others], "known", axis=1)
+    # What the first layer makes of the pixel's vector is the same for all cells of the pixel.
     linear = linear_layers(network)
-    for i, layer in enumerate(linear):
-        last = i + 1 == len(linear)
-        h = g.add("Gemm", [h, g.constant(f"head{i}.weight", layer.weight.detach().numpy()),
-                           g.constant(f"head{i}.bias", layer.bias.detach().numpy())],
-                  "scores" if last else f"head{i}.product", transB=1)
-        if not last:
-            h = g.add("Relu", [h], f"head{i}")
+    wide = network.widths[0]
+    first, rest = linear[0].weight[:, :wide], linear[0].weight[:, wide:]
+    own = g.add("Gemm", [pixels, g.constant("head0.own", first.detach().numpy()),
+                         g.constant("head0.bias", linear[0].bias.detach().numpy())], "own_rows", transB=1)
+    g.constant("head0.rest", rest.detach().numpy())
+    for i, layer in enumerate(linear[1:], 1):
+        g.constant(f"head{i}.weight", layer.weight.detach().numpy())
+        g.constant(f"head{i}.bias", layer.bias.detach().numpy())
+    count = g.add("Shape", ["cells"], "count", start=0, end=1)
+    batches = g.add("Div", [g.add("Add", [count, g.constant("batch_less_one", np.array([BATCH - 1], np.int64))],
+                                  "count_up"), g.constant("batch", np.array([BATCH], np.int64))], "batches")
+    trips = g.add("Squeeze", [batches], "trips")
+    # Cells go through the perceptron in batches that stay in the processor's cache.
+    every = g.add("Loop", [trips, g.constant("always", np.array([True]))], "batches_of_scores",
+                  body=body(own, bins, size, ints, floats, linear))
+    every = g.add("Reshape", [every, g.constant("score_rows", np.array([-1, linear[-1].out_features], np.int64))],
+                  "padded_scores")
+    g.add("Slice", [every, ints["zero"], count, ints["zero"]], "scores")
+
     def value(name, kind, shape):
         return helper.make_tensor_value_info(name, kind, shape)
     graph = helper.make_graph(
@@ -137,6 +173,7 @@ def read(path):
     while f"down{len(widths) - 1}a.bias" in values:
         widths.append(values[f"down{len(widths) - 1}a.bias"].numel())
     network = Network(widths, values["head0.bias"].numel())
+    values["head0.weight"] = torch.cat([values["head0.own"], values["head0.rest"]], 1)
     with torch.no_grad():
         for name, (layer, norm) in conv_layers(network).items():
             layer.weight.copy_(values[name + ".weight"])

@@ -128,7 +128,7 @@ void run(const std::string& in, const std::string& out, const ModelContract& con
     SegmentParams whole;
     whole.largestPass = cells.cells.size();
     whole.largestTile_m = 1e9;
-    const std::vector<SegmentPass> passes = planPasses(cells, whole, context);
+    const std::vector<SegmentPass> passes = planPasses(cells, findLevels(cells, {}, context).levels, whole, context);
     std::filesystem::create_directories(out);
     for (std::size_t k = 0; k < passes.size(); ++k)
     {

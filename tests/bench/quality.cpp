@@ -76,7 +76,7 @@ Json labelsJson(const CloudView& truth, const Segmentation& result, double secon
         else
             ++either[b];
     }
-    Json out{{"seconds", seconds}};
+    Json out{{"seconds", seconds}, {"millions_per_second", 1e-6 * static_cast<double>(truth.count) / seconds}};
     double sum = 0, classes = 0;
     for (std::size_t k = 1; k < kLabelCount; ++k)
     {

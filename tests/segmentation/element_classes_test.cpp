@@ -69,7 +69,9 @@ Settled settled(const HandMadeCloud& cloud, const std::function<CellClass(const 
     s.cells = buildSurfaceCells(cloud.view(), {}, params, {});
     for (const SurfaceCell& c : s.cells.cells)
         s.classes.push_back(guess(c));
-    settleByElements(s.cells, s.classes, {});
+    SurfaceCells unlabelled = s.cells;
+    unlabelled.hasLabels = false;
+    settleByElements(s.cells, findLevels(unlabelled, {}, {}).levels, s.classes, {});
     return s;
 }
 

@@ -76,7 +76,7 @@ TEST(Plan, AFullyCoveredBinHasTheAreaOfItsSection)
 {
     const PlanContract plan = contract({"facing_x", "facing_y", "level", "rest", "facing_x_place", "facing_y_place"});
     const CellSet set = corner();
-    const Tensor t = planTensor(PlanGrid(plan, set), plan, set, {});
+    const Tensor t = planTensor(PlanGrid(plan, set), plan, set);
     ASSERT_EQ(t.shape, (std::vector<std::int64_t>{1, 6 * 24, 8, 8}));
     // 0.7 m over the floor is in the sixth bin from 0.3 m below it; x = 1.07 in the sixth pixel, 3 cm before its
     // centre.
@@ -97,20 +97,9 @@ TEST(Plan, WhatIsBelowOrAboveCountsInTheOutermostBins)
     EXPECT_EQ(grid.place(set.cells[set.cells.size() - 2]).bin, 0);
     EXPECT_EQ(grid.place(set.cells.back()).bin, 23);
     EXPECT_EQ(grid.place(set.cells.back()).dz, 1.0f);
-    const Tensor t = planTensor(grid, plan, set, {});
+    const Tensor t = planTensor(grid, plan, set);
     EXPECT_GT(value(t, 0, 0, 0), 0.0f);
     EXPECT_GT(value(t, 23, 0, 0), 0.0f);
-}
-
-TEST(Plan, IsTheSameForAnyNumberOfThreads)
-{
-    const PlanContract plan = contract({"cells", "upright", "facing_x", "facing_x_place", "rest"});
-    const CellSet set = corner();
-    Context one, many;
-    one.threads = 1;
-    many.threads = 4;
-    EXPECT_EQ(planTensor(PlanGrid(plan, set), plan, set, one).data,
-              planTensor(PlanGrid(plan, set), plan, set, many).data);
 }
 
 }  // namespace s2b

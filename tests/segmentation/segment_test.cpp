@@ -181,7 +181,7 @@ TEST(Passes, CutLargeStoreysIntoTilesThatShareNoCell)
     for (const std::size_t largest : {std::size_t{1000000}, std::size_t{20000}, std::size_t{5000}})
     {
         params.largestPass = largest;
-        const std::vector<SegmentPass> passes = planPasses(cells, params, {});
+        const std::vector<SegmentPass> passes = planPasses(cells, findLevels(cells, {}, {}).levels, params, {});
         std::set<std::uint32_t> seen;
         for (const SegmentPass& pass : passes)
         {
@@ -204,7 +204,8 @@ TEST(Passes, CutLargeStoreysIntoTilesThatShareNoCell)
 
 TEST(Passes, KnowTheHeightsOfTheirStorey)
 {
-    const std::vector<SegmentPass> passes = planPasses(cellsOf(twoStoreys()), {}, {});
+    const SurfaceCells cells = cellsOf(twoStoreys());
+    const std::vector<SegmentPass> passes = planPasses(cells, findLevels(cells, {}, {}).levels, {}, {});
     ASSERT_EQ(passes.size(), 2u);
     EXPECT_NEAR(passes[0].floor_m, 0.0, 0.02);
     EXPECT_NEAR(passes[0].ceiling_m, 2.6, 0.02);
