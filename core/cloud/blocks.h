@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/context.h"
+#include "core/base/floor_to_int.h"
 #include "core/cloud/clutter.h"
 #include "core/cloud/point_cloud.h"
 
@@ -15,14 +16,6 @@ namespace s2b
 {
 
 inline constexpr double kBlock_m = 1.0;
-
-/// Largest whole number that is not above v. Without the call that std::floor is on processors of the baseline.
-/// @pre |v| < 2^31.
-[[nodiscard]] inline int floorToInt(double v)
-{
-    const int towardsZero = static_cast<int>(v);
-    return towardsZero - (static_cast<double>(towardsZero) > v ? 1 : 0);
-}
 
 [[nodiscard]] inline Eigen::Vector3f pointAt(const CloudView& cloud, std::size_t i)
 {

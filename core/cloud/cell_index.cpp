@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/cloud/cell_index.h"
 
+#include "core/base/floor_to_int.h"
+
 #include <limits>
 
 namespace s2b
@@ -41,7 +43,7 @@ CellIndex::CellIndex(const SurfaceCells& cells, double zMin, double zMax) : m_ce
 
 Eigen::Vector2i CellIndex::tileOf(const Eigen::Vector2d& p) const
 {
-    return ((p - m_low) / kTile_m).array().floor().cast<int>();
+    return {floorToInt((p.x() - m_low.x()) / kTile_m), floorToInt((p.y() - m_low.y()) / kTile_m)};
 }
 
 }  // namespace s2b

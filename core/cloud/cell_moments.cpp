@@ -45,7 +45,7 @@ void CellGatherer::addView(PointIndex point, Sums& sums) const
         sums.view[axis] += nearest(to[static_cast<Eigen::Index>(axis)] / distance * kViewUnits);
 }
 
-void CellGatherer::addPoints(std::uint32_t block, const Eigen::Vector3i& firstCell)
+void CellGatherer::addPoints(std::uint32_t block, const Eigen::Vector3i& firstCell, std::uint32_t* slotOfPoint)
 {
     for (std::uint32_t j = m_blocks.start[block]; j < m_blocks.start[block + 1]; ++j)
     {
@@ -68,6 +68,8 @@ void CellGatherer::addPoints(std::uint32_t block, const Eigen::Vector3i& firstCe
             slot = static_cast<std::int32_t>(m_sums.size());
             m_sums.emplace_back().key = key;
         }
+        if (slotOfPoint)
+            slotOfPoint[i] = static_cast<std::uint32_t>(slot);
         Sums& sums = m_sums[static_cast<std::size_t>(slot)];
         const std::int64_t x = within[0], y = within[1], z = within[2];
         ++sums.count;
@@ -115,9 +117,10 @@ Moments CellGatherer::momentsOf(const Sums& sums) const
     return m;
 }
 
-std::vector<Moments> CellGatherer::gather(std::uint32_t block, const Eigen::Vector3i& firstCell)
+std::vector<Moments> CellGatherer::gather(std::uint32_t block, const Eigen::Vector3i& firstCell,
+                                          std::uint32_t* cellOfPoint)
 {
-    addPoints(block, firstCell);
+    addPoints(block, firstCell, cellOfPoint);
     for (std::size_t slot = 0; slot < m_sums.size(); ++slot)
     {
         m_sorted.push_back(static_cast<std::uint64_t>(m_sums[slot].key) << 32 | slot);
@@ -128,6 +131,14 @@ std::vector<Moments> CellGatherer::gather(std::uint32_t block, const Eigen::Vect
     cells.reserve(m_sorted.size());
     for (const std::uint64_t s : m_sorted)
         cells.push_back(momentsOf(m_sums[static_cast<std::uint32_t>(s)]));
+    if (cellOfPoint)
+    {
+        m_rankOfSlot.resize(m_sorted.size());
+        for (std::uint32_t rank = 0; rank < m_sorted.size(); ++rank)
+            m_rankOfSlot[static_cast<std::uint32_t>(m_sorted[rank])] = rank;
+        for (std::uint32_t j = m_blocks.start[block]; j < m_blocks.start[block + 1]; ++j)
+            cellOfPoint[m_blocks.order[j]] = m_rankOfSlot[cellOfPoint[m_blocks.order[j]]];
+    }
     m_sums.clear();
     m_sorted.clear();
     return cells;
@@ -135,7 +146,7 @@ std::vector<Moments> CellGatherer::gather(std::uint32_t block, const Eigen::Vect
 
 std::size_t CellGatherer::count(std::uint32_t block, const Eigen::Vector3i& firstCell)
 {
-    addPoints(block, firstCell);
+    addPoints(block, firstCell, nullptr);
     const std::size_t cells = m_sums.size();
     for (const Sums& sums : m_sums)
         m_slot[sums.key] = -1;

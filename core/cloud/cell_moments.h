@@ -36,7 +36,9 @@ public:
     CellGatherer(const CloudView& cloud, const Blocks& blocks, int cellsPerBlock);
 
     /// Cells of one block, sorted by (z, y, x). Independent of the order of the points.
-    [[nodiscard]] std::vector<Moments> gather(std::uint32_t block, const Eigen::Vector3i& firstCell);
+    /// @param cellOfPoint  where given: by point of the cloud, which of the block's cells it lies in
+    [[nodiscard]] std::vector<Moments> gather(std::uint32_t block, const Eigen::Vector3i& firstCell,
+                                              std::uint32_t* cellOfPoint = nullptr);
     /// How many cells of a block hold points.
     [[nodiscard]] std::size_t count(std::uint32_t block, const Eigen::Vector3i& firstCell);
 
@@ -52,7 +54,7 @@ private:
         std::array<std::int64_t, 3> view{};  ///< of unit vectors to the stations, in kViewUnits
         std::uint32_t viewed = 0;            ///< points whose station is known
     };
-    void addPoints(std::uint32_t block, const Eigen::Vector3i& firstCell);
+    void addPoints(std::uint32_t block, const Eigen::Vector3i& firstCell, std::uint32_t* slotOfPoint);
     void addView(PointIndex point, Sums& sums) const;
     [[nodiscard]] Moments momentsOf(const Sums& sums) const;
 
@@ -62,7 +64,8 @@ private:
     double m_size_m;
     std::vector<std::int32_t> m_slot;  ///< by cell of the block: index in m_sums, or -1
     std::vector<Sums> m_sums;
-    std::vector<std::uint64_t> m_sorted;  ///< key and slot
+    std::vector<std::uint64_t> m_sorted;      ///< key and slot
+    std::vector<std::uint32_t> m_rankOfSlot;  ///< place among the sorted
 };
 
 }  // namespace s2b

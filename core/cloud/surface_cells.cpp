@@ -35,12 +35,13 @@ class CellBuilder
 {
 public:
     CellBuilder(const CloudView& cloud, const Blocks& blocks, int cellsPerBlock, const CellParams& params,
-                const Context& context)
+                const Context& context, std::uint32_t* cellOfPoint)
         : m_cloud(cloud),
           m_blocks(blocks),
           m_cellsPerBlock(cellsPerBlock),
           m_params(params),
           m_context(context),
+          m_cellOfPoint(cellOfPoint),
           m_moments(blocks.occupied.size()),
           m_slotOfBlock(blocks.start.size() - 1, -1)
     {
@@ -114,7 +115,7 @@ private:
                        {
                            CellGatherer gatherer(m_cloud, m_blocks, m_cellsPerBlock);
                            for (std::size_t k = first + begin; k < first + end; ++k)
-                               m_moments[k] = gatherer.gather(m_blocks.occupied[k], firstCell(k));
+                               m_moments[k] = gatherer.gather(m_blocks.occupied[k], firstCell(k), m_cellOfPoint);
                        });
         m_context.checkCancelled();
     }
@@ -139,9 +140,18 @@ private:
                                std::size_t out = firstOut[k];
                                for (const Moments& m : m_moments[first + k])
                                    cells[out++] = cellOf(m, low, normals.of(m));
+                               if (m_cellOfPoint)
+                                   numberPoints(m_blocks.occupied[first + k], firstOut[k]);
                            }
                        });
         m_context.checkCancelled();
+    }
+
+    /// From cells of the block to cells of the cloud.
+    void numberPoints(std::uint32_t block, std::size_t firstOfBlock) const
+    {
+        for (std::uint32_t j = m_blocks.start[block]; j < m_blocks.start[block + 1]; ++j)
+            m_cellOfPoint[m_blocks.order[j]] += static_cast<std::uint32_t>(firstOfBlock);
     }
 
     [[nodiscard]] NormalFinder::Around around(std::size_t slot) const
@@ -195,6 +205,7 @@ private:
     int m_cellsPerBlock;
     const CellParams& m_params;
     const Context& m_context;
+    std::uint32_t* m_cellOfPoint;                 ///< by point; none where nobody asks for it
     std::vector<std::vector<Moments>> m_moments;  ///< by occupied block; of three layers at a time
     std::vector<std::int32_t> m_slotOfBlock;      ///< by block of the grid: index among the occupied, or -1
     std::vector<std::size_t> m_firstOfLayer;      ///< among the occupied, and one more
@@ -224,7 +235,7 @@ std::span<const SurfaceCell> SurfaceCells::between(double zMin, double zMax) con
 }
 
 SurfaceCells buildSurfaceCells(const CloudView& cloud, const KeptRegion& region, const CellParams& params,
-                               const Context& context)
+                               const Context& context, std::vector<std::uint32_t>* cellOfPoint)
 {
     if (cloud.count == 0)
         throw Error(ErrorCode::EmptyCloud, "the cloud has no points");
@@ -240,7 +251,11 @@ SurfaceCells buildSurfaceCells(const CloudView& cloud, const KeptRegion& region,
     const int cellsPerBlock = cellsPerBlockOf(result.spacing_m, params);
     result.size_m = kBlock_m / cellsPerBlock;
     result.lowestLayer_m = kBlock_m * blocks.low.z();
-    result.cells = CellBuilder(cloud, blocks, cellsPerBlock, params, context).build(result.firstOfLayer);
+    if (cellOfPoint)
+        cellOfPoint->assign(cloud.count, kNoCell);
+    result.cells =
+        CellBuilder(cloud, blocks, cellsPerBlock, params, context, cellOfPoint ? cellOfPoint->data() : nullptr)
+            .build(result.firstOfLayer);
     return result;
 }
 

@@ -34,6 +34,8 @@ struct SurfaceCell
     bool facesScanner = false;        ///< the normal points to where it was seen from; else its sign is undecided
 };
 
+inline constexpr std::uint32_t kNoCell = 0xffffffff;  ///< of a point
+
 struct SurfaceCells
 {
     double size_m = 0.0;     ///< edge of a cell
@@ -67,7 +69,8 @@ struct SurfaceCells
 /// @throws Error{BadCoordinates} at the first point that is not finite, Error{EmptyCloud} when none is in `region`.
 /// Cost: O(N). Memory: 4 bytes a point, 36 bytes a cell, and 48 more a cell of the three layers of a metre in work.
 /// Independent of the point order and of the threads.
+/// @param cellOfPoint  where given: becomes the index of each point's cell, kNoCell outside the region
 [[nodiscard]] SurfaceCells buildSurfaceCells(const CloudView& cloud, const KeptRegion& region, const CellParams& params,
-                                             const Context& context);
+                                             const Context& context, std::vector<std::uint32_t>* cellOfPoint = nullptr);
 
 }  // namespace s2b

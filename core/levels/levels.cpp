@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/levels/levels.h"
 
+#include "core/base/floor_to_int.h"
 #include "core/base/parallel_sort.h"
 
 #include <algorithm>
@@ -72,8 +73,8 @@ std::vector<Surface> surfacesByColumn(const SurfaceCells& cells, const Context& 
              c.label == Label::Window || c.label == Label::Wall || c.label == Label::Column))
             continue;
         Hit s{};
-        s.x = static_cast<std::int32_t>(std::floor(static_cast<double>(c.position.x()) / column));
-        s.y = static_cast<std::int32_t>(std::floor(static_cast<double>(c.position.y()) / column));
+        s.x = floorToInt(static_cast<double>(c.position.x()) / column);
+        s.y = floorToInt(static_cast<double>(c.position.y()) / column);
         s.z = c.position.z();
         s.isLevel = nz > 0.95;
         s.maybeFloor = s.maybeCeiling = true;

@@ -5,10 +5,10 @@
 #include "core/cloud/clutter.h"
 #include "core/cloud/frame.h"
 #include "core/cloud/surface_cells.h"
+#include "core/segmentation/cell_colours.h"
 #include "core/segmentation/element_classes.h"
 #include "core/segmentation/inputs.h"
 #include "core/segmentation/passes.h"
-#include "core/segmentation/point_cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,12 +80,11 @@ Segmentation segment(const CloudView& cloud, const OnnxModel& model, const Segme
     context.report("Surface cells", 0.05);
     CellParams cellParams;
     cellParams.size_m = contract.cell_m;
-    SurfaceCells cells = buildSurfaceCells(input, region, cellParams, context);
-    context.report("Points of the cells", 0.2);
-    const PointCells points = findPointCells(input, cells, context);
+    std::vector<std::uint32_t> cellOfPoint;
+    SurfaceCells cells = buildSurfaceCells(input, region, cellParams, context, &cellOfPoint);
     std::vector<std::array<std::uint8_t, 3>> colours;
     if (input.rgb)
-        colours = cellColours(input, points, cells.cells.size(), context);
+        colours = cellColours(input, cellOfPoint, cells.cells.size(), context);
     context.report("Storeys", 0.25);
     rotateCells(cells, findDominantYaw(cells, {}, context));
     const std::vector<Level> levels = findLevels(cells, {}, context).levels;
@@ -133,8 +132,8 @@ Segmentation segment(const CloudView& cloud, const OnnxModel& model, const Segme
                    {
                        for (std::size_t i = begin; i < end; ++i)
                        {
-                           const std::uint32_t cell = points.cellOfPoint[i];
-                           const CellClass c = cell == PointCells::kNone ? CellClass{} : classes[cell];
+                           const std::uint32_t cell = cellOfPoint[i];
+                           const CellClass c = cell == kNoCell ? CellClass{} : classes[cell];
                            result.labels[i] = static_cast<std::uint8_t>(c.label);
                            result.confidence[i] = c.confidence;
                        }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/segmentation/wall_planes.h"
 
+#include "core/base/floor_to_int.h"
 #include "core/base/parallel.h"
 
 #include <algorithm>
@@ -102,7 +103,7 @@ private:
     [[nodiscard]] int bin(const SurfaceCell& c) const
     {
         const double up = static_cast<double>(c.position.z()) - m_set.floor_m;
-        return std::clamp(static_cast<int>(std::floor(up / kBin_m)) + 1, 0, kBins - 1);
+        return std::clamp(floorToInt(up / kBin_m) + 1, 0, kBins - 1);
     }
 
     /// The strongest plane about each place of the grid.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/walls/axis_sort.h"
 
+#include "core/base/floor_to_int.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -113,8 +115,8 @@ std::vector<AxisSet> sortByAxis(const SurfaceCells& cells, const Level& level, c
         if (best == 0)
             continue;
         const Eigen::Vector3f& p = cells.cells[i].position;
-        entries.push_back({best - 1, static_cast<std::int32_t>(std::floor(static_cast<double>(p.x()) / cells.size_m)),
-                           static_cast<std::int32_t>(std::floor(static_cast<double>(p.y()) / cells.size_m)), i});
+        entries.push_back({best - 1, floorToInt(static_cast<double>(p.x()) / cells.size_m),
+                           floorToInt(static_cast<double>(p.y()) / cells.size_m), i});
     }
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b)
               { return std::tie(a.set, a.y, a.x, a.cell) < std::tie(b.set, b.y, b.x, b.cell); });

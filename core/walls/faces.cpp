@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/walls/faces.h"
 
+#include "core/base/floor_to_int.h"
 #include "core/walls/axis_sort.h"
 #include "core/walls/face_lines.h"
 #include "core/walls/face_sides.h"
@@ -66,7 +67,7 @@ private:
     [[nodiscard]] static std::uint64_t tileOf(const Eigen::Vector2d& p)
     {
         const auto part = [](double v)
-        { return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(v / kTile)) + (1 << 30)); };
+        { return static_cast<std::uint64_t>(std::int64_t{floorToInt(v / kTile)} + (1 << 30)); };
         return part(p.x()) | part(p.y()) << 32;
     }
     double m_tolerance;

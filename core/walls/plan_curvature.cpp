@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/walls/plan_curvature.h"
 
+#include "core/base/floor_to_int.h"
 #include "core/geometry/parabola.h"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ public:
 
 private:
     static constexpr double kTile_m = 0.25;
-    [[nodiscard]] static int tileOf(double v) { return static_cast<int>(std::floor(v / kTile_m)); }
+    [[nodiscard]] static int tileOf(double v) { return floorToInt(v / kTile_m); }
     const std::vector<PlanPixel>& m_pixels;
     std::vector<std::tuple<int, int, std::uint32_t>> m_order;
 };
@@ -87,8 +88,8 @@ std::vector<PlanPixel> verticalPixels(const SurfaceCells& cells, const Level& le
         if (c.normal.isZero() || std::abs(c.normal.z()) > 0.3f || z < level.floor_m + 0.05 ||
             z > level.ceiling_m + 0.05 || wallWeight(cells, c) <= 0)
             continue;
-        order.emplace_back(static_cast<int>(std::floor(static_cast<double>(c.position.y()) / cells.size_m)),
-                           static_cast<int>(std::floor(static_cast<double>(c.position.x()) / cells.size_m)),
+        order.emplace_back(floorToInt(static_cast<double>(c.position.y()) / cells.size_m),
+                           floorToInt(static_cast<double>(c.position.x()) / cells.size_m),
                            static_cast<std::uint32_t>(&c - cells.cells.data()));
     }
     std::sort(order.begin(), order.end());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/walls/plan_mask.h"
 
+#include "core/base/floor_to_int.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -32,6 +34,11 @@ std::uint8_t layerOf(const SurfaceCells& cells, const SurfaceCell& c, const Leve
 
 constexpr double kCoarse_m = 0.25;
 
+Eigen::Vector2i pixelOf(const Eigen::Vector2d& p, const Eigen::Vector2d& low, double pixel)
+{
+    return {floorToInt((p.x() - low.x()) / pixel), floorToInt((p.y() - low.y()) / pixel)};
+}
+
 bool isOverhead(const SurfaceCells& cells, const SurfaceCell& c, const Level& level)
 {
     const double z = static_cast<double>(c.position.z());
@@ -62,7 +69,7 @@ PlanMask::PlanMask(const SurfaceCells& cells, const Level& level)
     m_layers.assign(static_cast<std::size_t>(m_size.x()) * static_cast<std::size_t>(m_size.y()), 0);
     for (const auto& [p, layer] : hits)
     {
-        const Eigen::Vector2i i = ((p - m_low) / m_pixel).array().floor().cast<int>();
+        const Eigen::Vector2i i = pixelOf(p, m_low, m_pixel);
         m_layers[static_cast<std::size_t>(i.x()) +
                  static_cast<std::size_t>(m_size.x()) * static_cast<std::size_t>(i.y())] |= layer;
     }
@@ -75,8 +82,7 @@ PlanMask::PlanMask(const SurfaceCells& cells, const Level& level)
     {
         if (!isOverhead(cells, c, level))
             continue;
-        const Eigen::Vector2i i =
-            ((c.position.head<2>().cast<double>() - m_low) / kCoarse_m).array().floor().cast<int>();
+        const Eigen::Vector2i i = pixelOf(c.position.head<2>().cast<double>(), m_low, kCoarse_m);
         if ((i.array() < 0).any() || (i.array() >= m_coarseSize.array()).any())
             continue;
         float& top = m_overhead[static_cast<std::size_t>(i.x()) +
@@ -87,7 +93,7 @@ PlanMask::PlanMask(const SurfaceCells& cells, const Level& level)
 
 double PlanMask::overhead_m(const Eigen::Vector2d& p) const
 {
-    const Eigen::Vector2i i = ((p - m_low) / kCoarse_m).array().floor().cast<int>();
+    const Eigen::Vector2i i = pixelOf(p, m_low, kCoarse_m);
     if ((i.array() < 0).any() || (i.array() >= m_coarseSize.array()).any())
         return -1.0;
     return static_cast<double>(m_overhead[static_cast<std::size_t>(i.x()) + static_cast<std::size_t>(m_coarseSize.x()) *
@@ -96,7 +102,7 @@ double PlanMask::overhead_m(const Eigen::Vector2d& p) const
 
 bool PlanMask::seen(const Eigen::Vector2d& p, Layer layer) const
 {
-    const Eigen::Vector2i i = ((p - m_low) / m_pixel).array().floor().cast<int>();
+    const Eigen::Vector2i i = pixelOf(p, m_low, m_pixel);
     if ((i.array() < 0).any() || (i.array() >= m_size.array()).any())
         return false;
     return m_layers[static_cast<std::size_t>(i.x()) +
