@@ -43,6 +43,20 @@ bool isDoorShaped(const Hole& h, const OpeningParams& params)
            h.width() < 2.2 && h.width() > 0.7 * params.minimumDoorWidth_m;  // a leaf is narrower than its hole
 }
 
+/// A door that a model half saw, as wide and high as the faces show it: they end about it, and leave a doorway whole.
+Hole wholeDoor(const WallView& view, const Hole& seen, const std::vector<Hole>& voids, const OpeningParams& params)
+{
+    Hole door = grownToFaces(view, seen);
+    const auto doorway = std::ranges::find_if(
+        voids, [&](const Hole& v) { return isEmptyDoor(v, params) && v.overlaps(seen) && v.holds(seen); });
+    if (doorway != voids.end())
+    {
+        door.begin = std::min(door.begin, doorway->begin), door.end = std::max(door.end, doorway->end);
+        door.top = std::max(door.top, doorway->top);
+    }
+    return door;
+}
+
 }  // namespace
 
 OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, const Level& level,
@@ -83,24 +97,6 @@ OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, co
             }
             candidates.push_back(c);
         };
-        if (cells.hasLabels)
-        {
-            const double doorRadius = std::max(params.clusterRadius_m, 2.5 * cells.size_m),
-                         windowRadius = std::max(0.05, 2.0 * cells.size_m);
-            const auto whole = [&](const Hole& h) { return cells.hasGuesses ? grownToFaces(view, h) : h; };
-            for (const Hole& h : labelledHoles(view, OpeningKind::Door, doorRadius, params.maximumDoorWidth_m))
-                if (h.width() >= params.minimumDoorWidth_m && h.top >= params.minimumDoorHeight_m)
-                {
-                    Hole door = whole(h);
-                    door.bottom = 0.0;
-                    add(door, OpeningKind::Door);
-                }
-            for (const Hole& seen : labelledHoles(view, OpeningKind::Window, windowRadius, params.maximumDoorWidth_m))
-                if (const Hole h = whole(seen); h.width() >= params.minimumWindowWidth_m &&
-                                                h.height() >= params.minimumWindowHeight_m &&
-                                                static_cast<double>(h.points) > 20)
-                    add(h, cells.hasGuesses && isDoorShaped(h, params) ? OpeningKind::Door : OpeningKind::Window);
-        }
         const WallAxis axis(wall);
         const auto floorSeen = [&](double from, double to)
         {
@@ -114,6 +110,25 @@ OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, co
                                -view.half_m + inset, view.half_m - inset, PlanMask::Floor);
             return sum / pieces;
         };
+        if (cells.hasLabels)
+        {
+            const double doorRadius = std::max(params.clusterRadius_m, 2.5 * cells.size_m),
+                         windowRadius = std::max(0.05, 2.0 * cells.size_m);
+            const std::vector<Hole> voids =
+                cells.hasGuesses ? voidsFromFloor(view, {}, floorSeen, params) : std::vector<Hole>{};
+            for (const Hole& h : labelledHoles(view, OpeningKind::Door, doorRadius, params.maximumDoorWidth_m))
+                if (h.width() >= params.minimumDoorWidth_m && h.top >= params.minimumDoorHeight_m)
+                {
+                    Hole door = cells.hasGuesses ? wholeDoor(view, h, voids, params) : h;
+                    door.bottom = 0.0;
+                    add(door, OpeningKind::Door);
+                }
+            for (const Hole& seen : labelledHoles(view, OpeningKind::Window, windowRadius, params.maximumDoorWidth_m))
+                if (const Hole h = cells.hasGuesses ? grownToFaces(view, seen) : seen;
+                    h.width() >= params.minimumWindowWidth_m && h.height() >= params.minimumWindowHeight_m &&
+                    static_cast<double>(h.points) > 20)
+                    add(h, cells.hasGuesses && isDoorShaped(h, params) ? OpeningKind::Door : OpeningKind::Window);
+        }
         for (const Hole& h : voidsFromFloor(view, taken, floorSeen, params))
         {
             if (std::any_of(taken.begin(), taken.end(), [&](const Hole& k) { return k.overlaps(h); }))

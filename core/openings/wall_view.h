@@ -40,6 +40,8 @@ struct Hole
     {
         return begin < o.end && o.begin < end && bottom < o.top && o.bottom < top;
     }
+    /// All of o's width, but for a frame on either side.
+    [[nodiscard]] bool holds(const Hole& o) const { return begin < o.begin + 0.1 && end > o.end - 0.1; }
 };
 
 /// What was seen of a wall and close to it; a curved one is unrolled.

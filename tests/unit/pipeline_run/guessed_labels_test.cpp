@@ -111,5 +111,27 @@ TEST(GuessedLabels, MakeAHoleAsWideAsTheFacesLeaveIt)
     EXPECT_EQ(guessed.openings[0].kind, OpeningKind::Door);
 }
 
+/// An open doorway with its reveals, of which a model calls one jamb and something beside it door.
+TEST(GuessedLabels, LeaveADoorwayAsWideAsTheFacesShowIt)
+{
+    HandMadeCloud cloud;
+    test::RoomGaps west, east;
+    west.east = east.west = {{1.0, 1.9, 0.0, 2.1}};
+    cloud.room({0, 0}, {4, 3}, 0, 2.6, west);
+    cloud.room({4.2, 0}, {8.2, 3}, 0, 2.6, east);
+    cloud.wallFace({4, 1.0}, {4.2, 1.0}, 0.0, 2.1, Label::Door);
+    cloud.wallFace({4, 1.9}, {4.2, 1.9}, 0.0, 2.1, Label::Wall);
+    cloud.wallFace({4.1, 1.0}, {4.1, 1.5}, 0.0, 2.0, Label::Door);
+    cloud.horizontal({4, 1.0}, {4.2, 1.9}, 2.1, Label::Wall);
+    cloud.horizontal({4, 1.0}, {4.2, 1.9}, 0.0, Label::Floor);
+    const std::vector<std::uint8_t> sure(cloud.size(), 255);
+    const Building guessed = reconstructed(cloud, &sure);
+    ASSERT_EQ(guessed.openings.size(), 1u);
+    constexpr double edge_m = 0.02;  // a cell
+    EXPECT_EQ(guessed.openings[0].kind, OpeningKind::Door);
+    EXPECT_NEAR(guessed.openings[0].width.value_m, 0.9, 2 * edge_m);
+    EXPECT_NEAR(guessed.openings[0].height.value_m, 2.1, edge_m);
+}
+
 }  // namespace
 }  // namespace s2b
