@@ -119,3 +119,16 @@ def test_corrections_are_exported_saved_and_reopened(window, to_bin, survey, out
         assert np.allclose(reopened[wall][1], values[1], atol=1e-6) and np.allclose(reopened[wall][2], values[2], atol=1e-6)
     assert np.allclose(back[inner][1], before[inner][1], atol=0.002)
     assert set(back) == set(edited)
+
+
+def test_a_picked_level_gets_walls(window, cloudcompare, tmp_path, output):
+    # Without what is above the upper storey's walls, its floor is what a click from above meets.
+    scan = make_survey(tmp_path / "house.laz", "--layout", "two-rooms", "--storeys", 2, "--step-deg", 0.25, "--voxel", 0.03, "--outside",
+                       "--without", "trees,furniture,curved-walls")
+    run = cloudcompare("-NO_TIMESTAMP", "-C_EXPORT_FMT", "BIN", "-O", scan, "-CROP", "-100:-100:-100:100:100:5.0", "-SAVE_CLOUDS", "FILE", tmp_path / "scan.bin")
+    assert run.rc == 0
+    said = window("add_level", tmp_path / "scan.bin")
+    model = ifcopenshell.open(str(output / "added_level.ifc"))
+    walls = {storey.Name: sum(e.is_a("IfcWall") for r in storey.ContainsElements for e in r.RelatedElements) for storey in model.by_type("IfcBuildingStorey")}
+    assert walls == {"Level 0": number(said, "lower"), "Level 1": number(said, "upper")}
+    assert valid(output / "added_level.ifc")
