@@ -12,6 +12,7 @@
 #include <QLocale>
 #include <QMessageBox>
 #include <QSettings>
+#include <QStandardItemModel>
 #include <QTreeWidget>
 #include <algorithm>
 #include <ccPointCloud.h>
@@ -40,6 +41,11 @@ S2BLabelBox::S2BLabelBox(std::vector<const ccPointCloud*> clouds, QWidget* paren
 	const ccPointCloud& first = *m_clouds.front();
 	for (unsigned i = 0; i < first.getNumberOfScalarFields(); ++i)
 		m_field->addItem(first.getScalarFieldName(static_cast<int>(i)));
+	if (auto* rows = qobject_cast<QStandardItemModel*>(m_field->model()); rows && !s2b::hasShippedModel())
+	{
+		rows->item(kModelRow)->setEnabled(false);
+		rows->item(kModelRow)->setToolTip("This build of the plugin brings no model with it: Segment... takes one from a file");
+	}
 	m_field->setToolTip("The scalar field that holds a class code for every point");
 	form->addRow("Field", m_field);
 
@@ -190,7 +196,7 @@ void S2BLabelBox::readSettings(const QSettings& settings)
 void S2BLabelBox::writeSettings(QSettings& settings) const
 {
 	settings.setValue("labelField", m_field->currentIndex() >= kFirstField ? m_field->currentText() : QString());
-	if (m_field->currentIndex() < kFirstField)
+	if (m_field->currentIndex() < kFirstField && s2b::hasShippedModel())
 		settings.setValue("labelsOfModel", m_field->currentIndex() == kModelRow);
 	settings.setValue("labelMap", m_mapName->currentText());
 }

@@ -36,6 +36,11 @@ def test_unknown_codes_are_shown(window, to_bin, tmp_path, room):
     window("labels", to_bin(write_ply(tmp_path / "codes.ply", points, Classification=codes)))
 
 
+def test_a_build_without_a_model_does_not_offer_its_labels(window, to_bin, tmp_path, room):
+    points, _ = room
+    window("without_model", to_bin(write_ply(tmp_path / "bare.ply", points)), CC_PLUGIN_PATH=os.environ["S2B_TEST_PLUGINS_WITHOUT_MODEL"])
+
+
 def test_segment_adds_class_and_confidence(window, to_bin, survey, tmp_path):
     bad = tmp_path / "bad.onnx"
     bad.write_text("this is no model")
