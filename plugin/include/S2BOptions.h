@@ -43,6 +43,10 @@ namespace s2b
 		}
 	};
 
+	//! The value of -EPSG, wherever it is given
+	/** \throws Error{BadParameter} in one sentence when it is no code of the registry **/
+	int epsgCode(const QString& text);
+
 	//! One row of the table
 	struct CommandOption
 	{

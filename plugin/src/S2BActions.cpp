@@ -2,6 +2,7 @@
 #include "S2BActions.h"
 
 #include "S2BEntities.h"
+#include "S2BExportDlg.h"
 #include "S2BModel.h"
 #include "S2BReconstructDlg.h"
 #include "S2BRun.h"
@@ -9,11 +10,9 @@
 #include "S2BWorker.h"
 #include "core/base/error.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QMessageBox>
-#include <QSettings>
 #include <ccMainAppInterface.h>
 #include <ccPointCloud.h>
 
@@ -126,23 +125,14 @@ namespace s2b
 		{
 			const Model corrected = readModel(*model).model;
 
-			QSettings settings;
-			settings.beginGroup("qScanToBim");
-			const QString folder = settings.value("folder").toString();
-			const QString name   = model->getName().section('.', 0, 0).remove(" [BIM]") + ".ifc";
-			QFileDialog   dialog(app.getMainWindow(), "Export IFC", folder, "IFC4 (*.ifc);;IFC4X3_ADD2 (*.ifc)");
-			dialog.setObjectName("S2BExportDialog");
-			dialog.setOption(QFileDialog::DontUseNativeDialog, qEnvironmentVariableIsSet("S2B_PLAIN_DIALOGS"));
-			dialog.setAcceptMode(QFileDialog::AcceptSave);
-			dialog.setDefaultSuffix("ifc");
-			dialog.selectFile(name);
+			S2BExportDlg dialog(model->getName().section('.', 0, 0).remove(" [BIM]") + ".ifc", app.getMainWindow());
 			if (dialog.exec() != QDialog::Accepted)
 				return;
-			const QString path = dialog.selectedFiles().front();
-			settings.setValue("folder", QFileInfo(path).absolutePath());
+			const QString path = dialog.path();
 
 			ifc::WriteOptions options;
-			options.schema       = dialog.selectedNameFilter().section(' ', 0, 0).toStdString();
+			options.schema       = dialog.schema().toStdString();
+			options.epsg         = dialog.epsg();
 			options.projectName  = QFileInfo(path).completeBaseName().toStdString();
 			options.names        = corrected.names;
 			options.placedByHand = placedByHand(corrected);

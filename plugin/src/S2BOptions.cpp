@@ -136,6 +136,11 @@ namespace s2b
 		}
 	} // namespace
 
+	int epsgCode(const QString& text)
+	{
+		return static_cast<int>(wholeNumber("EPSG", text, kEpsg[0], kEpsg[1]));
+	}
+
 	const std::vector<CommandOption>& commandOptions()
 	{
 		static const std::vector<CommandOption> kTable{
@@ -164,7 +169,7 @@ namespace s2b
 		    {"SCHEMA", "NAME", false, "IFC4 (default) or IFC4X3_ADD2", [](CommandOptions& o, const QString& v)
 		     { o.schema = schemaName(v); }},
 		    {"EPSG", "N", false, "the projected coordinate system of the cloud's coordinates: the IFC gets an IfcMapConversion instead of a site placement", [](CommandOptions& o, const QString& v)
-		     { o.epsg = static_cast<int>(wholeNumber("EPSG", v, kEpsg[0], kEpsg[1])); }},
+		     { o.epsg = epsgCode(v); }},
 		    {"VALIDATE", "FILE", false, "ground truth to compare with: any IFC file, or the CV4AEC challenge's JSON", [](CommandOptions& o, const QString& v)
 		     { o.truthPath = readablePath("VALIDATE", v); }},
 		    {"STOREYS", "LIST", false, "the truth's storeys to compare, names or GUIDs separated by commas (default: all)", [](CommandOptions& o, const QString& v)

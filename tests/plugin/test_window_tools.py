@@ -3,10 +3,11 @@
 import csv
 import os
 
+import ifcopenshell
 import numpy as np
 import pytest
 
-from conftest import write_ply
+from conftest import SMALL, make_survey, write_ply
 
 
 def test_dialog_presets_files_levels(window, to_bin, survey):
@@ -19,6 +20,29 @@ def test_findings_lead_to_their_place(window, to_bin, survey):
 
 def test_floor_plan_and_back(window, to_bin, survey):
     window("floor_plan", to_bin(survey))
+
+
+def test_export_takes_a_coordinate_system(window, cloudcompare, tmp_path, output):
+    survey = make_survey(tmp_path / "world.laz", *SMALL, "--origin", 32500100, 5600300, 120)
+    run = cloudcompare("-NO_TIMESTAMP", "-C_EXPORT_FMT", "BIN", "-O", "-GLOBAL_SHIFT", "AUTO", survey, "-SAVE_CLOUDS", "FILE", tmp_path / "world.bin",
+                       "-S2B", "-EPSG", 4647, "-IFC", "command.ifc")
+    assert run.rc == 0
+    said = window("export", tmp_path / "world.bin")
+    conversions = []
+    for path in (tmp_path / "command.ifc", output / "projected.ifc"):
+        model = ifcopenshell.open(str(path))
+        assert [crs.Name for crs in model.by_type("IfcProjectedCRS")] == ["EPSG:4647"]
+        conversion = model.by_type("IfcMapConversion")[0]
+        conversions.append([conversion.Eastings, conversion.Northings, conversion.OrthogonalHeight, conversion.XAxisAbscissa, conversion.XAxisOrdinate])
+        assert abs(conversion.Eastings - 32500100) < 100
+    assert conversions[0] == pytest.approx(conversions[1], rel=1e-12, abs=1e-6)
+    for name in ("placed.ifc", "again.ifc"):
+        assert not ifcopenshell.open(str(output / name)).by_type("IfcCoordinateOperation")
+
+    # What is no code is refused in the command's own sentence.
+    refused = [line.removeprefix("refused ") for line in said.splitlines() if line.startswith("refused ")]
+    for code, sentence in zip(("EPSG:4647", "0", "32632.5"), refused, strict=True):
+        assert cloudcompare("-O", "-GLOBAL_SHIFT", "AUTO", survey, "-S2B", "-EPSG", code).ours[-1] == sentence and code in sentence
 
 
 def test_help_is_complete(window, to_bin, tmp_path, room):
