@@ -39,6 +39,9 @@ namespace s2b
 	**/
 	void renewFindings(ccMainAppInterface& app, ccHObject& model, const Building& before, const Building& after, const ccShiftedObject& reference);
 
+	//! Brings the counts in the groups' names to the labels that are left; false when they were right
+	bool recountFindings(ccHObject& tree);
+
 	//! What the meta data of a label says
 	struct Finding
 	{

@@ -23,6 +23,9 @@ namespace s2b
 	//! The entity of that unique id, or null when it is gone
 	ccHObject* findEntity(ccMainAppInterface& app, unsigned id);
 
+	//! Shows names that changed in the DB tree
+	void redrawTree(ccMainAppInterface& app);
+
 	//! The model behind the DB tree: it tells when entities come and go. Null in a window without one.
 	QAbstractItemModel* treeModel(ccMainAppInterface& app);
 } // namespace s2b

@@ -52,6 +52,12 @@ namespace s2b
 			return labels;
 		}
 
+		void nameGroup(ccHObject& group, std::size_t count)
+		{
+			group.setName(QString("Findings (%1)").arg(count));
+			group.setMetaData(QString(kFindingsKey), static_cast<unsigned>(count));
+		}
+
 		ccHObject* groupOf(const ccHObject& model)
 		{
 			for (unsigned i = 0; i < model.getChildrenNumber(); ++i)
@@ -117,8 +123,8 @@ namespace s2b
 		}
 		places->copyGlobalShiftAndScale(reference);
 		places->setVisible(false); // the labels' own marks are enough
-		auto group = std::make_unique<ccHObject>(QString("Findings (%1)").arg(sorted.size()));
-		group->setMetaData(QString(kFindingsKey), static_cast<unsigned>(sorted.size()));
+		auto group = std::make_unique<ccHObject>();
+		nameGroup(*group, sorted.size());
 		for (std::size_t i = 0; i < sorted.size(); ++i)
 		{
 			auto*             label = new cc2DLabel; // the cloud's, as its child
@@ -176,6 +182,24 @@ namespace s2b
 		model.addChild(group);
 		group->setDisplay_recursive(model.getDisplay());
 		app.addToDB(group, false, false, false, false);
+	}
+
+	bool recountFindings(ccHObject& tree)
+	{
+		bool                 isAnother = false;
+		ccHObject::Container all;
+		tree.filterChildren(all, true);
+		for (ccHObject* entity : all)
+		{
+			if (!entity->hasMetaData(kFindingsKey))
+				continue;
+			const std::size_t count = labelsOf(*entity).size();
+			if (entity->getMetaData(kFindingsKey).toUInt() == count)
+				continue;
+			nameGroup(*entity, count);
+			isAnother = true;
+		}
+		return isAnother;
 	}
 
 	std::vector<Finding> findingsIn(const ccHObject& tree)

@@ -4,13 +4,16 @@
 #include "S2BFindings.h"
 #include "S2BView.h"
 
+#include <QAbstractItemModel>
 #include <QApplication>
 #include <QHeaderView>
 #include <QLabel>
 #include <QStyle>
+#include <QTimer>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <ccHObject.h>
+#include <ccMainAppInterface.h>
 
 namespace
 {
@@ -72,6 +75,17 @@ S2BFindingsDock::S2BFindingsDock(ccMainAppInterface& app)
 	column->addWidget(m_list, 1);
 	setWidget(page);
 	fill();
+
+	// Labels that people delete are no longer counted, of whichever model they are.
+	auto* recount = new QTimer(this);
+	recount->setSingleShot(true);
+	recount->setInterval(0);
+	connect(recount, &QTimer::timeout, this, [this]
+	        {
+		        if (m_app.dbRootObject() && s2b::recountFindings(*m_app.dbRootObject()))
+			        s2b::redrawTree(m_app); });
+	if (const QAbstractItemModel* model = s2b::treeModel(app))
+		connect(model, &QAbstractItemModel::rowsRemoved, recount, qOverload<>(&QTimer::start));
 }
 
 void S2BFindingsDock::fill()

@@ -62,6 +62,12 @@ namespace s2b
 		return app.dbRootObject() ? app.dbRootObject()->find(id) : nullptr;
 	}
 
+	void redrawTree(ccMainAppInterface& app)
+	{
+		if (QTreeView* view = treeView(app))
+			view->viewport()->update();
+	}
+
 	QAbstractItemModel* treeModel(ccMainAppInterface& app)
 	{
 		const QTreeView* view = treeView(app);

@@ -49,6 +49,12 @@ void checkTree(Driver& driver)
     }
 }
 
+QString nameOfGroup(Driver& driver)
+{
+    const auto groups = driver.named("Findings (");
+    return groups.size() == 1 ? groups.front()->getName() : QString();
+}
+
 void findings(Driver& driver)
 {
     driver.reconstructQuietly();
@@ -69,12 +75,14 @@ void findings(Driver& driver)
     driver.unselectAll();
     driver.action("S2B.Findings")->trigger();
     driver.check(dock->isVisible(), "the list comes back");
-    ccHObject* label = driver.labels().front();
     const int rows = list->topLevelItemCount();
-    driver.unselectAll();
-    driver.app().removeFromDB(label);
+    driver.check(nameOfGroup(driver) == QString("Findings (%1)").arg(rows), "the group counts them");
+    driver.clickInTree(driver.labels().front());
+    driver.app().getMainWindow()->findChild<QAction*>("actionDelete")->trigger();
     driver.check(driver.waitFor([&] { return list->topLevelItemCount() == rows - 1; }, 5000),
                  "a label that is deleted leaves the list");
+    driver.check(driver.waitFor([&] { return nameOfGroup(driver) == QString("Findings (%1)").arg(rows - 1); }, 5000),
+                 "and the group's count: " + nameOfGroup(driver));
     driver.app().removeFromDB(driver.model());
     driver.check(driver.waitFor([&] { return list->topLevelItemCount() == 0; }, 5000), "and so do all of a model");
     // With the list open, its model gone and CloudCompare closing next: nothing may crash.
