@@ -7,12 +7,14 @@
 
 #include <QString>
 #include <QVariantMap>
+#include <ccColorTypes.h>
 #include <memory>
 #include <optional>
 #include <vector>
 
 class ccHObject;
 class ccMesh;
+class ccPolyline;
 class ccShiftedObject;
 
 namespace s2b
@@ -58,6 +60,9 @@ namespace s2b
 	//! The tree of a model that people corrected
 	/** \param plan  how far the level planes reach, building frame; empty: over what is there, or over the reference **/
 	std::unique_ptr<ccHObject> makeTree(const Model& model, const ccShiftedObject& reference, const QString& name, const Eigen::AlignedBox2d& plan = {});
+
+	//! A line through points in the building frame
+	std::unique_ptr<ccPolyline> makePolyline(const Building& building, const ccShiftedObject& reference, const std::vector<Eigen::Vector3d>& points, bool isClosed, const ccColor::Rgb& color, const QString& name);
 
 	//! Dimensions and evidence of every element, as CloudCompare's Properties panel shows them
 	QVariantMap properties(const Building& building, ElementId id);

@@ -89,26 +89,6 @@ namespace s2b
 			                                                                                    : ElementClass::Opening;
 		}
 
-		std::unique_ptr<ccPolyline> makePolyline(const Building& building, const ccShiftedObject& reference, const std::vector<Eigen::Vector3d>& points, bool isClosed, const ccColor::Rgb& color, const QString& name)
-		{
-			auto vertices = std::make_unique<ccPointCloud>("vertices");
-			if (!vertices->reserve(static_cast<unsigned>(points.size())))
-				throw std::bad_alloc();
-			for (const Eigen::Vector3d& p : points)
-				vertices->addPoint(toLocal(building, reference, p));
-			vertices->setEnabled(false);
-			auto line = std::make_unique<ccPolyline>(vertices.get());
-			line->addPointIndex(0, vertices->size());
-			line->addChild(vertices.release());
-			line->setClosed(isClosed);
-			line->setColor(color);
-			line->showColors(true);
-			line->setWidth(2);
-			line->setName(name);
-			line->copyGlobalShiftAndScale(reference);
-			return line;
-		}
-
 		std::unique_ptr<ccPolyline> makeAxis(const Building& building, const ccShiftedObject& reference, const Wall& wall)
 		{
 			const double                 length = wall.axisLength_m();
@@ -215,6 +195,26 @@ namespace s2b
 			return group;
 		}
 	} // namespace
+
+	std::unique_ptr<ccPolyline> makePolyline(const Building& building, const ccShiftedObject& reference, const std::vector<Eigen::Vector3d>& points, bool isClosed, const ccColor::Rgb& color, const QString& name)
+	{
+		auto vertices = std::make_unique<ccPointCloud>("vertices");
+		if (!vertices->reserve(static_cast<unsigned>(points.size())))
+			throw std::bad_alloc();
+		for (const Eigen::Vector3d& p : points)
+			vertices->addPoint(toLocal(building, reference, p));
+		vertices->setEnabled(false);
+		auto line = std::make_unique<ccPolyline>(vertices.get());
+		line->addPointIndex(0, vertices->size());
+		line->addChild(vertices.release());
+		line->setClosed(isClosed);
+		line->setColor(color);
+		line->showColors(true);
+		line->setWidth(2);
+		line->setName(name);
+		line->copyGlobalShiftAndScale(reference);
+		return line;
+	}
 
 	std::optional<Solid> elementSolid(const Building& building, ElementId id)
 	{

@@ -3,12 +3,15 @@
 
 #include "S2BActions.h"
 #include "S2BModel.h"
+#include "S2BPlanSymbols.h"
 #include "S2BView.h"
 
+#include <QPointer>
 #include <ccGLWindowInterface.h>
 #include <ccMainAppInterface.h>
 #include <ccPointCloud.h>
 #include <cmath>
+#include <memory>
 #include <optional>
 
 namespace s2b
@@ -26,19 +29,23 @@ namespace s2b
 			double   high    = 0.0;
 			double   yaw_rad = 0.0;
 			ccBBox   box;
+
+			std::unique_ptr<ccHObject> symbols; //!< of the windows that are cut; null once the view has them
 		};
 
 		//! What the plan changed, to be put back
 		struct Plan
 		{
 			Cut                   cut;
-			ccGLWindowInterface*  view = nullptr; //!< only compared with the active one
+			ccGLWindowInterface*  view = nullptr;    //!< only compared with the active one
+			QPointer<QObject>     life;              //!< null once the view is gone
+			ccHObject*            symbols = nullptr; //!< the view's own, as long as it lives
 			ccViewportParameters  before;
 			std::vector<unsigned> clipped; //!< unique ids
 		};
 		std::optional<Plan> currentPlan;
 
-		std::optional<Cut> cutOfModel(const ccHObject& model, const ccHObject* selected)
+		std::optional<Cut> cutOfModel(ccMainAppInterface& app, const ccHObject& model, const ccHObject* selected)
 		{
 			const Building building = correctedModel(model);
 			if (building.storeys.empty())
@@ -66,6 +73,7 @@ namespace s2b
 						cut.box.add(toLocal(end, storey->elevation_m).toPC());
 				}
 			}
+			cut.symbols = makePlanSymbols(app, model, building, storey->id, *reference, storey->elevation_m + kPlanCut_m);
 			if (!cut.box.isValid())
 				cut.box = const_cast<ccHObject&>(model).getDisplayBB_recursive(false); // changes nothing, but is not const
 			return cut;
@@ -118,10 +126,27 @@ namespace s2b
 			view.redraw();
 		}
 
-		std::optional<Cut> cutOf(const ccHObject::Container& selection)
+		// Not in the DB tree: they are neither to be saved nor to be edited.
+		void drawSymbols(Plan& plan)
+		{
+			if (!plan.cut.symbols)
+				return;
+			plan.life    = plan.view->asQObject();
+			plan.symbols = plan.cut.symbols.release();
+			plan.view->addToOwnDB(plan.symbols, false);
+			plan.symbols->setDisplay_recursive(plan.view);
+		}
+
+		void removeSymbols(const Plan& plan)
+		{
+			if (plan.life && plan.symbols)
+				plan.view->removeFromOwnDB(plan.symbols);
+		}
+
+		std::optional<Cut> cutOf(ccMainAppInterface& app, const ccHObject::Container& selection)
 		{
 			if (ccHObject* model = modelOf(selection))
-				return cutOfModel(*model, selection.front());
+				return cutOfModel(app, *model, selection.front());
 			const std::vector<ccPointCloud*> clouds = cloudsOf(selection);
 			return clouds.empty() ? std::nullopt : std::optional<Cut>(cutOfCloud(*clouds.front()));
 		}
@@ -138,7 +163,7 @@ namespace s2b
 		std::optional<Cut>   next;
 		try
 		{
-			next = cutOf(app.getSelectedEntities());
+			next = cutOf(app, app.getSelectedEntities());
 		}
 		catch (const std::exception& e) // an element that was tilted, say
 		{
@@ -146,15 +171,19 @@ namespace s2b
 		}
 		std::optional<Plan> last = std::exchange(currentPlan, std::nullopt);
 		if (last)
+		{
 			unclipAll(app, *last);
+			removeSymbols(*last);
+		}
 		const bool isAnother = last && next && (last->cut.storey != next->storey || last->cut.model != next->model);
 		if (view && next && (!last || isAnother))
 		{
 			Plan plan;
-			plan.cut    = *next;
+			plan.cut    = std::move(*next);
 			plan.view   = view;
 			plan.before = last && last->view == view ? last->before : view->getViewportParameters();
 			clipAll(app, plan);
+			drawSymbols(plan);
 			lookFromAbove(*view, plan.cut);
 			say(app, QString("floor plan of %1, cut %2 m above its floor; choose Floor plan again to go back").arg(plan.cut.storey).arg(kPlanCut_m));
 			currentPlan = std::move(plan);
