@@ -3,6 +3,7 @@
 
 #include "S2BOptions.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
@@ -17,7 +18,7 @@ namespace
 } // namespace
 
 S2BExportDlg::S2BExportDlg(const QString& fileName, QWidget* parent)
-    : QFileDialog(parent, "Export IFC", QSettings().value(kFolder).toString(), "IFC4 (*.ifc);;IFC4X3_ADD2 (*.ifc)")
+    : QFileDialog(parent, "Export IFC", QSettings().value(kFolder, QDir::homePath()).toString(), "IFC4 (*.ifc);;IFC4X3_ADD2 (*.ifc)")
 {
 	setObjectName("S2BExportDialog");
 	setOption(DontUseNativeDialog);

@@ -22,6 +22,8 @@ bool exportWith(Driver& driver, const QString& code, const QString& file, QStrin
                          }
                          remembered = field->text();
                          field->setText(code);
+                         if (code.trimmed() == "4647")
+                             driver.shoot(dialog, "export_dialog");
                          dialog->findChild<QLineEdit*>("fileNameEdit")->setText(driver.output(file));
                          if (said)
                              driver.expectMessage(*said);
