@@ -17,4 +17,8 @@ namespace s2b
 		double m_start_s  = 0;
 		double m_before_b = 0;
 	};
+
+	//! Gives what is free back to the system
+	/** glibc keeps it for the threads that took it, which a run's are not used for again **/
+	void returnFreeMemory();
 } // namespace s2b

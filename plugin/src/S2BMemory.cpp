@@ -3,6 +3,9 @@
 
 #include <QFile>
 #include <chrono>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace s2b
 {
@@ -46,5 +49,12 @@ namespace s2b
 		    .arg(now_s() - m_start_s, 0, 'f', 2)
 		    .arg(statusValue_b("VmHWM") / kGiga, 0, 'f', 2)
 		    .arg(m_before_b / kGiga, 0, 'f', 2);
+	}
+
+	void returnFreeMemory()
+	{
+#ifdef __GLIBC__
+		malloc_trim(0);
+#endif
 	}
 } // namespace s2b

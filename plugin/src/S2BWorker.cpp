@@ -2,6 +2,7 @@
 #include "S2BWorker.h"
 
 #include "S2BInput.h"
+#include "S2BMemory.h"
 #include "S2BReconstructDlg.h"
 #include "S2BRun.h"
 #include "S2BSegment.h"
@@ -98,6 +99,7 @@ namespace s2b
 			{
 				failure = std::current_exception();
 			}
+			returnFreeMemory(); // 0.4 GB after 30 million points
 		};
 
 		QEventLoop           loop;
