@@ -68,3 +68,8 @@ def test_memory_does_not_grow(window, to_bin, tmp_path, room):
     thin = np.arange(0, len(points), 2)
     window("memory", to_bin(write_ply(tmp_path / "room.ply", points[thin], Classification=codes[thin])),
            S2B_DRIVER_CYCLES=os.environ.get("S2B_TEST_CYCLES", "40"))
+
+
+@pytest.mark.skipif("S2B_TEST_CLOUD" not in os.environ, reason="a measurement: S2B_TEST_CLOUD is the file of a large cloud")
+def test_large_cloud_is_measured(window, to_bin):
+    window("large", to_bin(os.environ["S2B_TEST_CLOUD"]))
