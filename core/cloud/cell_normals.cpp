@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/cloud/cell_normals.h"
 
-#include <Eigen/Eigenvalues>
+#include "core/geometry/flattest_direction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,73 +13,50 @@ namespace
 
 constexpr int kHalo = 2;  // cells around a block that its normals look at
 
-/// Sum of moments about a common centre.
-struct Accumulated
-{
-    double n = 0;
-    Eigen::Vector3d s = Eigen::Vector3d::Zero();
-    Eigen::Matrix3d q = Eigen::Matrix3d::Zero();  // lower triangle
-
-    void add(const Moments& m, int dx, int dy, int dz)
-    {
-        const double c = m.count;
-        const double sx = m.sum[0], sy = m.sum[1], sz = m.sum[2];
-        n += c;
-        s += Eigen::Vector3d(sx + c * dx, sy + c * dy, sz + c * dz);
-        q(0, 0) += m.square[0] + 2 * dx * sx + c * dx * dx;
-        q(1, 0) += m.square[1] + dx * sy + dy * sx + c * dx * dy;
-        q(2, 0) += m.square[2] + dx * sz + dz * sx + c * dx * dz;
-        q(1, 1) += m.square[3] + 2 * dy * sy + c * dy * dy;
-        q(2, 1) += m.square[4] + dy * sz + dz * sy + c * dy * dz;
-        q(2, 2) += m.square[5] + 2 * dz * sz + c * dz * dz;
-    }
-};
-
-CellNormal normalOf(const Accumulated& a, int minimum)
-{
-    CellNormal result;
-    if (a.n < minimum)
-        return result;
-    Eigen::Matrix3d c = a.q / a.n;
-    const Eigen::Vector3d mean = a.s / a.n;
-    c -= mean * mean.transpose();
-    c(0, 1) = c(1, 0);
-    c(0, 2) = c(2, 0);
-    c(1, 2) = c(2, 1);
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-    solver.computeDirect(c);
-    const Eigen::Vector3d values = solver.eigenvalues().cwiseMax(0.0);
-    result.ratio = values[1] > 1e-9 ? values[0] / values[1] : 1.0;
-    result.direction = solver.eigenvectors().col(0).normalized().cast<float>();
-    result.flatness = static_cast<float>(std::sqrt(values[0]));
-    result.valid = result.direction.allFinite();
-    return result;
-}
-
 }  // namespace
 
 NormalFinder::NormalFinder(int cellsPerBlock, int minimumNeighbours)
     : m_cellsPerBlock(cellsPerBlock),
       m_minimum(minimumNeighbours),
       m_edge(cellsPerBlock + 2 * kHalo),
-      m_grid(static_cast<std::size_t>(m_edge) * static_cast<std::size_t>(m_edge) * static_cast<std::size_t>(m_edge),
-             nullptr)
+      m_grid(static_cast<std::size_t>(m_edge) * static_cast<std::size_t>(m_edge) * static_cast<std::size_t>(m_edge), 0)
 {
+    for (int dz = -kHalo; dz <= kHalo; ++dz)
+        for (int dy = -kHalo; dy <= kHalo; ++dy)
+            for (int dx = -kHalo; dx <= kHalo; ++dx)
+                (std::max({std::abs(dx), std::abs(dy), std::abs(dz)}) <= 1 ? m_near : m_ring)
+                    .push_back(dx + m_edge * (dy + m_edge * dz));
 }
 
-std::size_t NormalFinder::at(int x, int y, int z) const
+std::int32_t NormalFinder::at(int x, int y, int z) const
 {
-    return static_cast<std::size_t>(x + kHalo) +
-           static_cast<std::size_t>(m_edge) * (static_cast<std::size_t>(y + kHalo) +
-                                               static_cast<std::size_t>(m_edge) * static_cast<std::size_t>(z + kHalo));
+    return x + kHalo + m_edge * (y + kHalo + m_edge * (z + kHalo));
+}
+
+void NormalFinder::add(const Moments& m, int x, int y, int z)
+{
+    // About the block's middle: numbers as small as they can be.
+    const double middle = 0.5 * (m_cellsPerBlock - 1), n = m.count;
+    const double cx = x - middle, cy = y - middle, cz = z - middle;
+    const double sx = m.sum[0], sy = m.sum[1], sz = m.sum[2];
+    m_set.push_back(at(x, y, z));
+    m_grid[static_cast<std::size_t>(m_set.back())] = static_cast<std::uint32_t>(m_sums.size());
+    m_sums.push_back({n, sx + n * cx, sy + n * cy, sz + n * cz,       //
+                      m.square[0] + cx * (2 * sx + n * cx),           //
+                      m.square[1] + cx * sy + cy * sx + n * cx * cy,  //
+                      m.square[2] + cx * sz + cz * sx + n * cx * cz,  //
+                      m.square[3] + cy * (2 * sy + n * cy),           //
+                      m.square[4] + cy * sz + cz * sy + n * cy * cz,  //
+                      m.square[5] + cz * (2 * sz + n * cz)});
 }
 
 void NormalFinder::lookAt(const Around& blocks)
 {
     // Cleared by undoing what was set: most of the grid is empty.
-    for (const std::size_t i : m_set)
-        m_grid[i] = nullptr;
+    for (const std::int32_t place : m_set)
+        m_grid[static_cast<std::size_t>(place)] = 0;
     m_set.clear();
+    m_sums.assign(1, {});
     const auto holds = [&](int v) { return v >= -kHalo && v < m_edge - kHalo; };
     for (int dz = -1; dz <= 1; ++dz)
         for (int dy = -1; dy <= 1; ++dy)
@@ -103,29 +80,53 @@ void NormalFinder::lookAt(const Around& blocks)
                               z = m->local[2] + dz * m_cellsPerBlock;
                     if (!holds(x) || !holds(y) || !holds(z))
                         continue;
-                    m_set.push_back(at(x, y, z));
-                    m_grid[m_set.back()] = &*m;
+                    add(*m, x, y, z);
                 }
             }
 }
 
-CellNormal NormalFinder::within(const Moments& cell, int radius) const
+void NormalFinder::gather(std::int32_t place, const std::vector<std::int32_t>& offsets, Sums& sums) const
 {
-    Accumulated a;
-    for (int dz = -radius; dz <= radius; ++dz)
-        for (int dy = -radius; dy <= radius; ++dy)
-            for (int dx = -radius; dx <= radius; ++dx)
-                if (const Moments* o = m_grid[at(cell.local[0] + dx, cell.local[1] + dy, cell.local[2] + dz)])
-                    a.add(*o, dx, dy, dz);
-    return normalOf(a, m_minimum);
+    // Which ones first, without branches: which neighbours are empty can't be foretold.
+    std::array<std::uint32_t, 128> found;
+    std::size_t count = 0;
+    for (const std::int32_t offset : offsets)
+    {
+        found[count] = m_grid[static_cast<std::size_t>(place + offset)];
+        count += found[count] != 0;
+    }
+    for (std::size_t k = 0; k < count; ++k)
+        for (std::size_t i = 0; i < sums.size(); ++i)
+            sums[i] += m_sums[found[k]][i];
+}
+
+CellNormal NormalFinder::normalOf(const Sums& sums) const
+{
+    CellNormal result;
+    if (sums[0] < m_minimum)
+        return result;
+    const Eigen::Vector3d mean = Eigen::Vector3d(sums[1], sums[2], sums[3]) / sums[0];
+    Eigen::Matrix3d c;
+    c << sums[4], sums[5], sums[6], sums[5], sums[7], sums[8], sums[6], sums[8], sums[9];
+    c = c / sums[0] - mean * mean.transpose();
+    const FlattestDirection flattest = flattestDirection(c);
+    result.ratio = flattest.middle > 1e-9 ? flattest.least / flattest.middle : 1.0;
+    result.direction = flattest.direction.cast<float>();
+    result.flatness = static_cast<float>(std::sqrt(flattest.least));
+    result.valid = !flattest.direction.isZero();
+    return result;
 }
 
 CellNormal NormalFinder::of(const Moments& cell) const
 {
-    const CellNormal near = within(cell, 1);
+    const std::int32_t place = at(cell.local[0], cell.local[1], cell.local[2]);
+    Sums sums{};
+    gather(place, m_near, sums);
+    const CellNormal near = normalOf(sums);
     if (near.valid && near.ratio <= 0.08)
         return near;
-    const CellNormal wider = within(cell, 2);
+    gather(place, m_ring, sums);
+    const CellNormal wider = normalOf(sums);
     return wider.valid && (!near.valid || wider.ratio < near.ratio) ? wider : near;
 }
 

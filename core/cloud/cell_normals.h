@@ -39,12 +39,20 @@ public:
     [[nodiscard]] CellNormal of(const Moments& cell) const;
 
 private:
-    [[nodiscard]] std::size_t at(int x, int y, int z) const;
-    [[nodiscard]] CellNormal within(const Moments& cell, int radius) const;
+    /// n, sx, sy, sz, xx, xy, xz, yy, yz, zz: moments about one point of the block, so that a sum needs no shifting.
+    using Sums = std::array<double, 10>;
+
+    [[nodiscard]] std::int32_t at(int x, int y, int z) const;
+    void add(const Moments& m, int x, int y, int z);
+    /// Adds what the cells at the offsets hold.
+    void gather(std::int32_t place, const std::vector<std::int32_t>& offsets, Sums& sums) const;
+    [[nodiscard]] CellNormal normalOf(const Sums& sums) const;
 
     int m_cellsPerBlock, m_minimum, m_edge;
-    std::vector<const Moments*> m_grid;
-    std::vector<std::size_t> m_set;
+    std::vector<std::int32_t> m_near, m_ring;  ///< offsets within the grid of the 27, and of the 98 about them
+    std::vector<std::uint32_t> m_grid;         ///< by place: which of the sums, 0 where nothing is
+    std::vector<Sums> m_sums;
+    std::vector<std::int32_t> m_set;  ///< places that are not empty, in the order of the sums
 };
 
 }  // namespace s2b
