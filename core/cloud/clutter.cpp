@@ -92,7 +92,7 @@ KeptRegion findDenseRegion(const CloudView& cloud, const ClutterParams& params, 
         voxel *= 2;
     const auto index = [&](const Eigen::Vector3f& p) -> std::size_t
     {
-        const Eigen::Array3i v = ((p - extent.low).cast<double>().array() / voxel).floor().cast<int>().min(size - 1);
+        const Eigen::Array3i v = ((p - extent.low).cast<double>().array() / voxel).cast<int>().min(size - 1);
         return static_cast<std::size_t>(v.x()) +
                static_cast<std::size_t>(size.x()) *
                    (static_cast<std::size_t>(v.y()) +

@@ -16,7 +16,8 @@ namespace
 {
 
 constexpr double kQuarter = std::numbers::pi / 2;
-constexpr std::size_t kSamples = 1000000;  // cells that settle the slope to a few microradians
+constexpr std::size_t kSamples = 1000000;    // cells that settle the slope to a few microradians
+constexpr std::size_t kFewSamples = 200000;  // on the way there
 
 bool isVertical(const SurfaceCell& c, double tolerance)
 {
@@ -47,11 +48,12 @@ double histogramPeak(const SurfaceCells& cells, double tolerance)
     std::array<double, bins> histogram{};
     const auto folded = [](const Eigen::Vector3f& n)
     {
-        double a = std::fmod(std::atan2(static_cast<double>(n.y()), static_cast<double>(n.x())), kQuarter);
+        const double a = std::fmod(static_cast<double>(std::atan2(n.y(), n.x())), kQuarter);
         return a < 0 ? a + kQuarter : a;
     };
-    for (const SurfaceCell& c : cells.cells)
-        if (isVertical(c, tolerance))
+    const std::size_t step = cells.cells.size() / kFewSamples + 1;
+    for (std::size_t i = 0; i < cells.cells.size(); i += step)
+        if (const SurfaceCell& c = cells.cells[i]; isVertical(c, tolerance))
             histogram[std::min(bins - 1, static_cast<std::size_t>(folded(c.normal) / kQuarter * bins))] +=
                 weightOf(cells, c);
     std::size_t best = 0;
@@ -69,8 +71,9 @@ double histogramPeak(const SurfaceCells& cells, double tolerance)
         return 0;
     const double centre = (static_cast<double>(best) + 0.5) * kQuarter / bins;
     double sum = 0, weight = 0;
-    for (const SurfaceCell& c : cells.cells)
+    for (std::size_t i = 0; i < cells.cells.size(); i += step)
     {
+        const SurfaceCell& c = cells.cells[i];
         if (!isVertical(c, tolerance))
             continue;
         const double d = std::remainder(folded(c.normal) - centre, kQuarter);
@@ -87,7 +90,7 @@ struct Slope
 };
 
 /// Slope of the largest planes whose normals are near one of the current axes.
-Slope slopeOfPlanes(const SurfaceCells& cells, double yaw, double tolerance, std::size_t axis)
+Slope slopeOfPlanes(const SurfaceCells& cells, double yaw, double tolerance, std::size_t mostSamples, std::size_t axis)
 {
     const double co = std::cos(yaw), si = std::sin(yaw);
     Slope slope;
@@ -96,7 +99,7 @@ Slope slopeOfPlanes(const SurfaceCells& cells, double yaw, double tolerance, std
         double offset, along, weight;
     };
     std::vector<Sample> samples;
-    const std::size_t step = cells.cells.size() / kSamples + 1;
+    const std::size_t step = cells.cells.size() / mostSamples + 1;
     for (std::size_t i = 0; i < cells.cells.size(); i += step)
     {
         const SurfaceCell& c = cells.cells[i];
@@ -148,14 +151,15 @@ Slope slopeOfPlanes(const SurfaceCells& cells, double yaw, double tolerance, std
 }
 
 /// Mean slope of the largest planes against the current axes.
-double slopeOfLargestPlanes(const SurfaceCells& cells, double yaw, double tolerance, const Context& context)
+double slopeOfLargestPlanes(const SurfaceCells& cells, double yaw, double tolerance, std::size_t mostSamples,
+                            const Context& context)
 {
     std::array<Slope, 2> slopes;
     parallelChunks(2, 1, context,
                    [&](std::size_t begin, std::size_t end)
                    {
                        for (std::size_t axis = begin; axis < end; ++axis)
-                           slopes[axis] = slopeOfPlanes(cells, yaw, tolerance, axis);
+                           slopes[axis] = slopeOfPlanes(cells, yaw, tolerance, mostSamples, axis);
                    });
     const double denominator = slopes[0].denominator + slopes[1].denominator;
     return denominator > 0 ? (slopes[0].numerator + slopes[1].numerator) / denominator : 0;
@@ -166,8 +170,8 @@ double slopeOfLargestPlanes(const SurfaceCells& cells, double yaw, double tolera
 double findDominantYaw(const SurfaceCells& cells, const FrameParams& params, const Context& context)
 {
     double yaw = histogramPeak(cells, params.verticalTolerance);
-    for (int i = 0; i < 4; ++i)
-        yaw += slopeOfLargestPlanes(cells, yaw, params.verticalTolerance, context);
+    for (const std::size_t samples : {kFewSamples, kFewSamples, kFewSamples, kSamples})
+        yaw += slopeOfLargestPlanes(cells, yaw, params.verticalTolerance, samples, context);
     return std::remainder(yaw, kQuarter);
 }
 

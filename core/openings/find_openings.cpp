@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/parallel.h"
 #include "core/model/wall_axis.h"
 #include "core/openings/hole_edges.h"
 #include "core/openings/leaf.h"
@@ -57,6 +58,88 @@ Hole wholeDoor(const WallView& view, const Hole& seen, const std::vector<Hole>& 
     return door;
 }
 
+struct Candidate
+{
+    Opening opening;
+    const Wall* wall;
+    [[nodiscard]] Eigen::Vector2d centre() const
+    {
+        return WallAxis(*wall).at(opening.offset_m + opening.width.value_m / 2);
+    }
+    [[nodiscard]] double bottom() const { return wall->base_m + opening.sill.value_m; }
+    [[nodiscard]] double top() const { return bottom() + opening.height.value_m; }
+};
+
+/// What can be openings of one wall.
+std::vector<Candidate> candidatesOf(const Wall& wall, const SurfaceCells& cells, const CellIndex& index,
+                                    const PlanMask& mask, const std::set<OpeningKind>& kinds,
+                                    const OpeningParams& params, const Sightlines& sightlines)
+{
+    std::vector<Candidate> candidates;
+    WallView view = viewWall(wall, cells, index, params.leafReach_m);
+    view.through = SeenThrough(wall, sightlines);
+    std::vector<Hole> taken;
+    const auto add = [&](const Hole& h, OpeningKind kind)
+    {
+        taken.push_back(h);
+        if (!kinds.contains(kind))
+            return;
+        Candidate c{openingOf(h, kind, wall), &wall};
+        if (kind == OpeningKind::Door)
+        {
+            findLeaf(c.opening, view, h);
+            if (h.labelShare == 0 && h.points == 0 && c.opening.leafState == LeafState::Unknown)
+                c.opening.leafState = LeafState::Removed;
+        }
+        candidates.push_back(c);
+    };
+    const WallAxis axis(wall);
+    const auto floorSeen = [&](double from, double to)
+    {
+        const double inset = std::min(0.02, view.half_m / 3);
+        // Along an arc by chords.
+        const int pieces = axis.isArc() ? std::max(1, static_cast<int>((to - from) / 0.1)) : 1;
+        double sum = 0;
+        for (int i = 0; i < pieces; ++i)
+            sum += mask.share(axis.at(from + (to - from) * i / pieces), axis.at(from + (to - from) * (i + 1) / pieces),
+                              -view.half_m + inset, view.half_m - inset, PlanMask::Floor);
+        return sum / pieces;
+    };
+    if (cells.hasLabels)
+    {
+        const double doorRadius = std::max(params.clusterRadius_m, 2.5 * cells.size_m),
+                     windowRadius = std::max(0.05, 2.0 * cells.size_m);
+        const std::vector<Hole> voids =
+            cells.hasGuesses ? voidsFromFloor(view, {}, floorSeen, params) : std::vector<Hole>{};
+        for (const Hole& h : labelledHoles(view, OpeningKind::Door, doorRadius, params.maximumDoorWidth_m))
+            if (h.width() >= params.minimumDoorWidth_m && h.top >= params.minimumDoorHeight_m)
+            {
+                Hole door = cells.hasGuesses ? wholeDoor(view, h, voids, params) : h;
+                door.bottom = 0.0;
+                add(door, OpeningKind::Door);
+            }
+        for (const Hole& seen : labelledHoles(view, OpeningKind::Window, windowRadius, params.maximumDoorWidth_m))
+            if (const Hole h = cells.hasGuesses ? grownToFaces(view, seen) : seen;
+                h.width() >= params.minimumWindowWidth_m && h.height() >= params.minimumWindowHeight_m &&
+                static_cast<double>(h.points) > 20)
+                add(h, cells.hasGuesses && isDoorShaped(h, params) ? OpeningKind::Door : OpeningKind::Window);
+    }
+    for (const Hole& h : voidsFromFloor(view, taken, floorSeen, params))
+    {
+        if (std::any_of(taken.begin(), taken.end(), [&](const Hole& k) { return k.overlaps(h); }))
+            continue;
+        Opening leaf;
+        findLeaf(leaf, view, h);
+        add(h, leaf.leafState == LeafState::Open || isEmptyDoor(h, params) ? OpeningKind::Door : OpeningKind::Plain);
+    }
+    if (!cells.hasLabels || cells.hasGuesses)
+        for (const Hole& h : recessedHoles(view, taken, params.minimumWindowWidth_m, params.maximumDoorWidth_m + 2.0,
+                                           params.minimumWindowHeight_m))
+            if (std::none_of(taken.begin(), taken.end(), [&](const Hole& k) { return k.overlaps(h); }))
+                add(h, isDoorShaped(h, params) ? OpeningKind::Door : OpeningKind::Window);
+    return candidates;
+}
+
 }  // namespace
 
 OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, const Level& level,
@@ -65,85 +148,13 @@ OpeningResult findOpenings(const SurfaceCells& cells, const CellIndex& index, co
 {
     OpeningResult result;
     const PlanMask mask(cells, level);
-    struct Candidate
-    {
-        Opening opening;
-        const Wall* wall;
-        [[nodiscard]] Eigen::Vector2d centre() const
-        {
-            return WallAxis(*wall).at(opening.offset_m + opening.width.value_m / 2);
-        }
-        [[nodiscard]] double bottom() const { return wall->base_m + opening.sill.value_m; }
-        [[nodiscard]] double top() const { return bottom() + opening.height.value_m; }
-    };
+    std::vector<std::vector<Candidate>> ofWall(walls.size());
+    parallelChunks(walls.size(), 1, context, [&](std::size_t i, std::size_t)
+                   { ofWall[i] = candidatesOf(walls[i], cells, index, mask, kinds, params, sightlines); });
+    context.checkCancelled();
     std::vector<Candidate> candidates;
-    for (const Wall& wall : walls)
-    {
-        context.checkCancelled();
-        WallView view = viewWall(wall, cells, index, params.leafReach_m);
-        view.through = SeenThrough(wall, sightlines);
-        std::vector<Hole> taken;
-        const auto add = [&](const Hole& h, OpeningKind kind)
-        {
-            taken.push_back(h);
-            if (!kinds.contains(kind))
-                return;
-            Candidate c{openingOf(h, kind, wall), &wall};
-            if (kind == OpeningKind::Door)
-            {
-                findLeaf(c.opening, view, h);
-                if (h.labelShare == 0 && h.points == 0 && c.opening.leafState == LeafState::Unknown)
-                    c.opening.leafState = LeafState::Removed;
-            }
-            candidates.push_back(c);
-        };
-        const WallAxis axis(wall);
-        const auto floorSeen = [&](double from, double to)
-        {
-            const double inset = std::min(0.02, view.half_m / 3);
-            // Along an arc by chords.
-            const int pieces = axis.isArc() ? std::max(1, static_cast<int>((to - from) / 0.1)) : 1;
-            double sum = 0;
-            for (int i = 0; i < pieces; ++i)
-                sum +=
-                    mask.share(axis.at(from + (to - from) * i / pieces), axis.at(from + (to - from) * (i + 1) / pieces),
-                               -view.half_m + inset, view.half_m - inset, PlanMask::Floor);
-            return sum / pieces;
-        };
-        if (cells.hasLabels)
-        {
-            const double doorRadius = std::max(params.clusterRadius_m, 2.5 * cells.size_m),
-                         windowRadius = std::max(0.05, 2.0 * cells.size_m);
-            const std::vector<Hole> voids =
-                cells.hasGuesses ? voidsFromFloor(view, {}, floorSeen, params) : std::vector<Hole>{};
-            for (const Hole& h : labelledHoles(view, OpeningKind::Door, doorRadius, params.maximumDoorWidth_m))
-                if (h.width() >= params.minimumDoorWidth_m && h.top >= params.minimumDoorHeight_m)
-                {
-                    Hole door = cells.hasGuesses ? wholeDoor(view, h, voids, params) : h;
-                    door.bottom = 0.0;
-                    add(door, OpeningKind::Door);
-                }
-            for (const Hole& seen : labelledHoles(view, OpeningKind::Window, windowRadius, params.maximumDoorWidth_m))
-                if (const Hole h = cells.hasGuesses ? grownToFaces(view, seen) : seen;
-                    h.width() >= params.minimumWindowWidth_m && h.height() >= params.minimumWindowHeight_m &&
-                    static_cast<double>(h.points) > 20)
-                    add(h, cells.hasGuesses && isDoorShaped(h, params) ? OpeningKind::Door : OpeningKind::Window);
-        }
-        for (const Hole& h : voidsFromFloor(view, taken, floorSeen, params))
-        {
-            if (std::any_of(taken.begin(), taken.end(), [&](const Hole& k) { return k.overlaps(h); }))
-                continue;
-            Opening leaf;
-            findLeaf(leaf, view, h);
-            add(h,
-                leaf.leafState == LeafState::Open || isEmptyDoor(h, params) ? OpeningKind::Door : OpeningKind::Plain);
-        }
-        if (!cells.hasLabels || cells.hasGuesses)
-            for (const Hole& h : recessedHoles(view, taken, params.minimumWindowWidth_m,
-                                               params.maximumDoorWidth_m + 2.0, params.minimumWindowHeight_m))
-                if (std::none_of(taken.begin(), taken.end(), [&](const Hole& k) { return k.overlaps(h); }))
-                    add(h, isDoorShaped(h, params) ? OpeningKind::Door : OpeningKind::Window);
-    }
+    for (const std::vector<Candidate>& found : ofWall)
+        candidates.insert(candidates.end(), found.begin(), found.end());
     // One hole belongs to one wall: where two claim the same place, the one with more points has it.
     std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b)
                      { return a.opening.evidence.points > b.opening.evidence.points; });

@@ -128,6 +128,11 @@ Storey storeyOf(const Level& level)
     return storey;
 }
 
+CellIndex indexOf(const SurfaceCells& cells, const Level& level)
+{
+    return {cells, level.floor_m - 0.2, level.highestCeiling_m() + 0.4};
+}
+
 StoreyRun runStorey(const SurfaceCells& cells, const StoreyTask& task, const PipelineOptions& options,
                     std::uint32_t& nextId, const Context& context)
 {
@@ -135,7 +140,8 @@ StoreyRun runStorey(const SurfaceCells& cells, const StoreyTask& task, const Pip
     const Level& level = task.level;
     const auto fraction = [&](double within)
     { return task.fromFraction + (task.toFraction - task.fromFraction) * within; };
-    const CellIndex index(cells, level.floor_m - 0.2, level.highestCeiling_m() + 0.4);
+    std::optional<CellIndex> own;
+    const CellIndex& index = task.index ? *task.index : own.emplace(indexOf(cells, level));
     StoreyRun run;
     std::vector<Diagnostic> wallDiagnostics;
     if (options.stages.contains(Stage::Walls))

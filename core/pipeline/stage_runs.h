@@ -2,6 +2,7 @@
 /// The stages of one storey, and of all rooms: what a whole reconstruction and a run of single stages share.
 #pragma once
 
+#include "core/cloud/cell_index.h"
 #include "core/cloud/sightlines.h"
 #include "core/cloud/surface_cells.h"
 #include "core/columns/columns.h"
@@ -46,6 +47,9 @@ struct StationInput
 [[nodiscard]] SurfaceCells surfaceCellsOf(const CloudView& cloud, const PipelineOptions& options,
                                           const Context& context);
 
+/// The cells that a storey's stages look up by place, and what settles classes after them.
+[[nodiscard]] CellIndex indexOf(const SurfaceCells& cells, const Level& level);
+
 struct StoreyTask
 {
     const Level& level;
@@ -55,6 +59,7 @@ struct StoreyTask
     double fromFraction = 0.0, toFraction = 1.0;  ///< of the progress
     ColumnSource columns{};                       ///< the points themselves, for the sections of columns
     const Sightlines* sightlines = nullptr;       ///< null: none are known
+    const CellIndex* index = nullptr;             ///< indexOf the level; null: made by the run
 };
 
 struct StoreyRun

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/segmentation/element_classes.h"
 
+#include "core/base/parallel.h"
 #include "core/cloud/cell_index.h"
 #include "core/cloud/cell_moments.h"
 #include "core/geometry/polygon.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace s2b
 {
@@ -141,21 +143,23 @@ void settleByElements(SurfaceCells cells, const std::vector<Level>& levels, std:
     options.stages = {Stage::Levels, Stage::Walls, Stage::Doors, Stage::Windows, Stage::Openings, Stage::Columns};
     std::vector<StoreyTask> tasks;
     std::uint32_t nextId = 1;
-    for (const Level& level : levels)
+    std::vector<std::optional<CellIndex>> indices(levels.size());
+    parallelChunks(levels.size(), 1, context,
+                   [&](std::size_t i, std::size_t) { indices[i].emplace(indexOf(cells, levels[i])); });
+    for (std::size_t i = 0; i < levels.size(); ++i)
     {
-        const ElementId storey{nextId++};
-        tasks.push_back({level, storey, "the storey"});
+        tasks.push_back({levels[i], ElementId{nextId++}, "the storey"});
+        tasks.back().index = &*indices[i];
     }
     Context silent = context;  // of progress: the segmentation tells its own
     silent.progress = nullptr;
     const std::vector<StoreyRun> runs = runStoreys(cells, tasks, options, nextId, silent);
     for (std::size_t i = 0; i < runs.size(); ++i)
     {
-        const CellIndex index(cells, tasks[i].level.floor_m - 0.2, tasks[i].level.highestCeiling_m() + 0.4);
         for (const Wall& wall : runs[i].walls)
-            settleWall(wall, holesOf(wall, runs[i].openings), cells, index, classes);
+            settleWall(wall, holesOf(wall, runs[i].openings), cells, *indices[i], classes);
         for (const Column& column : runs[i].columns)
-            settleColumn(column, cells, index, classes);
+            settleColumn(column, cells, *indices[i], classes);
     }
 }
 

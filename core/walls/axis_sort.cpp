@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/walls/axis_sort.h"
 
-#include "core/base/floor_to_int.h"
+#include "core/walls/plan_order.h"
 
 #include <algorithm>
 #include <array>
@@ -23,27 +23,36 @@ bool isCandidate(const SurfaceCell& c, const Level& level)
            c.position.z() < level.highestCeiling_m() + 0.05;
 }
 
-double angleOf(const SurfaceCell& c)
+/// A cell that may be of a wall, and the direction of its normal in [0, pi): within a histogram's bin, a float says it.
+struct Candidate
 {
-    const double a = std::atan2(static_cast<double>(c.normal.y()), static_cast<double>(c.normal.x()));
-    return a < 0 ? a + kPi : (a >= kPi ? a - kPi : a);
+    std::uint32_t cell = 0;
+    float angle_rad = 0.0f;
+};
+
+float angleOf(const SurfaceCell& c)
+{
+    constexpr auto pi = static_cast<float>(kPi);
+    const float a = std::atan2(c.normal.y(), c.normal.x());
+    return a < 0 ? a + pi : (a >= pi ? a - pi : a);
 }
 
+/// Between directions in [0, pi).
 double turn(double a, double b)
 {
-    return std::abs(std::remainder(a - b, kPi));
+    const double d = std::abs(a - b);
+    return std::min(d, kPi - d);
 }
 
 /// Peaks of the normals' directions, in the order of their weight; at least `apart` from each other.
-std::vector<double> findDirections(const SurfaceCells& cells, const std::vector<std::uint32_t>& candidates,
-                                   double apart)
+std::vector<double> findDirections(const SurfaceCells& cells, const std::vector<Candidate>& candidates, double apart)
 {
     std::array<double, kBins> histogram{};
     double total = 0;
-    for (const std::uint32_t i : candidates)
+    for (const Candidate& c : candidates)
     {
-        const double w = wallWeight(cells, cells.cells[i]);
-        histogram[std::min(kBins - 1, static_cast<std::size_t>(angleOf(cells.cells[i]) / kPi * kBins))] += w;
+        const double w = wallWeight(cells, cells.cells[c.cell]);
+        histogram[std::min(kBins - 1, static_cast<std::size_t>(static_cast<double>(c.angle_rad) / kPi * kBins))] += w;
         total += w;
     }
     std::vector<std::pair<double, double>> peaks;  // weight, angle
@@ -87,62 +96,53 @@ double wallWeight(const SurfaceCells& cells, const SurfaceCell& cell)
     }
 }
 
-std::vector<AxisSet> sortByAxis(const SurfaceCells& cells, const Level& level, const WallParams& params)
+std::vector<AxisSet> sortByAxis(const SurfaceCells& cells, const Level& level, const WallParams& params,
+                                const Context& context)
 {
-    std::vector<std::uint32_t> candidates;
+    std::vector<Candidate> candidates;
     for (const SurfaceCell& c : cellsOf(cells, level))
         if (isCandidate(c, level) && wallWeight(cells, c) > 0)
-            candidates.push_back(static_cast<std::uint32_t>(&c - cells.cells.data()));
+            candidates.push_back({static_cast<std::uint32_t>(&c - cells.cells.data()), angleOf(c)});
     // |n . axis| > 1 - tolerance on both sides: sets twice that far apart don't overlap.
     const double halfWidth = std::acos(1.0 - params.normalTolerance);
     const std::vector<double> directions = findDirections(cells, candidates, halfWidth);
 
-    struct Entry
+    std::vector<PlanEntry> entries;
+    for (const Candidate& c : candidates)
     {
-        std::uint32_t set;
-        std::int32_t x, y;
-        std::uint32_t cell;
-    };
-    std::vector<Entry> entries;
-    for (const std::uint32_t i : candidates)
-    {
-        const double a = angleOf(cells.cells[i]);
+        const auto angle = static_cast<double>(c.angle_rad);
         std::uint32_t best = 0;
         double bestTurn = halfWidth;
         for (std::uint32_t k = 0; k < directions.size(); ++k)
-            if (turn(a, directions[k]) < bestTurn)
-                bestTurn = turn(a, directions[k]), best = k + 1;
-        if (best == 0)
-            continue;
-        const Eigen::Vector3f& p = cells.cells[i].position;
-        entries.push_back({best - 1, floorToInt(static_cast<double>(p.x()) / cells.size_m),
-                           floorToInt(static_cast<double>(p.y()) / cells.size_m), i});
+            if (const double t = turn(angle, directions[k]); t < bestTurn)
+                bestTurn = t, best = k + 1;
+        if (best > 0)
+            entries.push_back(planEntry(cells, c.cell, best - 1));
     }
-    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b)
-              { return std::tie(a.set, a.y, a.x, a.cell) < std::tie(b.set, b.y, b.x, b.cell); });
+    sortByPlace(entries, context);
     std::vector<AxisSet> sets(directions.size());
     for (std::size_t k = 0; k < directions.size(); ++k)
         sets[k].angle_rad = directions[k];
     for (std::size_t i = 0; i < entries.size();)
     {
-        const Entry& first = entries[i];
+        const PlanEntry first = entries[i];
         PlanPixel pixel;
         Eigen::Vector2d sum = Eigen::Vector2d::Zero(), doubled = Eigen::Vector2d::Zero();
         double points = 0;
-        for (; i < entries.size() && entries[i].set == first.set && entries[i].x == first.x && entries[i].y == first.y;
-             ++i)
+        for (; i < entries.size() && entries[i].place == first.place; ++i)
         {
             const SurfaceCell& c = cells.cells[entries[i].cell];
-            const double w = wallWeight(cells, c), a = 2 * angleOf(c);
+            const double w = wallWeight(cells, c);
+            const Eigen::Vector2d n = c.normal.head<2>().cast<double>().normalized();
             pixel.weight += w;
             points += w * c.count;
             sum += w * c.count * c.position.head<2>().cast<double>();
-            doubled += w * Eigen::Vector2d(std::cos(a), std::sin(a));
+            doubled += w * Eigen::Vector2d(n.x() * n.x() - n.y() * n.y(), 2 * n.x() * n.y());
         }
         pixel.position = sum / points;
         const double a = std::atan2(doubled.y(), doubled.x()) / 2;
         pixel.normal = {std::cos(a), std::sin(a)};
-        sets[first.set].pixels.push_back(pixel);
+        sets[first.group()].pixels.push_back(pixel);
     }
     return sets;
 }

@@ -35,6 +35,7 @@ struct AxisSet
 ///
 /// Differs: any number of directions, found as peaks of the normals' histogram, instead of X and Y; cells above each
 /// other count as one plan pixel, so that the cost of what follows depends on the walls' length alone.
-[[nodiscard]] std::vector<AxisSet> sortByAxis(const SurfaceCells& cells, const Level& level, const WallParams& params);
+[[nodiscard]] std::vector<AxisSet> sortByAxis(const SurfaceCells& cells, const Level& level, const WallParams& params,
+                                              const Context& context);
 
 }  // namespace s2b

@@ -241,9 +241,9 @@ std::vector<CurvedRun> findCurvedRuns(const SurfaceCells& cells, const Level& le
     std::vector<CurvedRun> runs;
     if (!params.curved)
         return runs;
-    const std::vector<PlanPixel> pixels = verticalPixels(cells, level);
+    const std::vector<PlanPixel> pixels = verticalPixels(cells, level, context);
     context.checkCancelled();
-    const std::vector<std::uint32_t> seeds = curvedPixels(pixels, cells.size_m, params);
+    const std::vector<std::uint32_t> seeds = curvedPixels(pixels, cells.size_m, params, context);
     std::vector<Eigen::Vector2d> positions;
     for (const std::uint32_t i : seeds)
         positions.push_back(pixels[i].position);

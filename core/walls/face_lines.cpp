@@ -179,7 +179,7 @@ std::vector<FaceLine> findLines(const SurfaceCells& cells, const Level& level, c
                                 const Context& context)
 {
     std::vector<FaceLine> lines;
-    for (const AxisSet& set : sortByAxis(cells, level, params))
+    for (const AxisSet& set : sortByAxis(cells, level, params, context))
     {
         context.checkCancelled();
         std::vector<Eigen::Vector2d> positions;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/walls/plan_curvature.h"
 
-#include "core/base/floor_to_int.h"
+#include "core/base/parallel.h"
 #include "core/geometry/parabola.h"
+#include "core/walls/plan_order.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <tuple>
 
 namespace s2b
 {
@@ -79,30 +79,28 @@ double curvatureAt(const PlanPixel& pixel, const Tiles& tiles, double reach, dou
 
 }  // namespace
 
-std::vector<PlanPixel> verticalPixels(const SurfaceCells& cells, const Level& level)
+std::vector<PlanPixel> verticalPixels(const SurfaceCells& cells, const Level& level, const Context& context)
 {
-    std::vector<std::tuple<int, int, std::uint32_t>> order;
+    std::vector<PlanEntry> order;
     for (const SurfaceCell& c : cellsOf(cells, level))
     {
         const double z = static_cast<double>(c.position.z());
         if (c.normal.isZero() || std::abs(c.normal.z()) > 0.3f || z < level.floor_m + 0.05 ||
             z > level.ceiling_m + 0.05 || wallWeight(cells, c) <= 0)
             continue;
-        order.emplace_back(floorToInt(static_cast<double>(c.position.y()) / cells.size_m),
-                           floorToInt(static_cast<double>(c.position.x()) / cells.size_m),
-                           static_cast<std::uint32_t>(&c - cells.cells.data()));
+        order.push_back(planEntry(cells, static_cast<std::uint32_t>(&c - cells.cells.data())));
     }
-    std::sort(order.begin(), order.end());
+    sortByPlace(order, context);
     std::vector<PlanPixel> pixels;
     for (std::size_t i = 0; i < order.size();)
     {
-        const auto [y, x, first] = order[i];
+        const std::uint64_t place = order[i].place;
         PlanPixel pixel;
         Eigen::Vector2d sum = Eigen::Vector2d::Zero(), doubled = Eigen::Vector2d::Zero();
         double points = 0;
-        for (; i < order.size() && std::get<0>(order[i]) == y && std::get<1>(order[i]) == x; ++i)
+        for (; i < order.size() && order[i].place == place; ++i)
         {
-            const SurfaceCell& c = cells.cells[std::get<2>(order[i])];
+            const SurfaceCell& c = cells.cells[order[i].cell];
             const Eigen::Vector2d n = c.normal.head<2>().cast<double>().normalized();
             pixel.weight += 1;
             points += c.count;
@@ -120,25 +118,34 @@ std::vector<PlanPixel> verticalPixels(const SurfaceCells& cells, const Level& le
     return pixels;
 }
 
-std::vector<std::uint32_t> curvedPixels(const std::vector<PlanPixel>& pixels, double cell_m, const WallParams& params)
+std::vector<std::uint32_t> curvedPixels(const std::vector<PlanPixel>& pixels, double cell_m, const WallParams& params,
+                                        const Context& context)
 {
     const Tiles tiles(pixels);
     // Two reaches: a tight curve leaves the wide one's corridor, a wide one shows in a long stretch only.
     const double shortReach = std::max(0.4, 6 * cell_m), longReach = 3 * shortReach;
     const double tightest = 1.3 / params.minimumArcRadius_m, widest = 0.7 / params.maximumArcRadius_m;
+    const auto isCurved = [&](const PlanPixel& pixel)
+    {
+        const double tight = std::abs(curvatureAt(pixel, tiles, shortReach, tightest));
+        if (tight > 0.15 && tight < tightest)
+            return true;
+        if (tight >= 0.5)
+            return false;
+        const double wide = std::abs(curvatureAt(pixel, tiles, longReach, 0.5));
+        return wide > widest && wide < 0.5;
+    };
+    std::vector<char> curved(pixels.size(), 0);
+    parallelChunks(pixels.size(), 256, context,
+                   [&](std::size_t begin, std::size_t end)
+                   {
+                       for (std::size_t i = begin; i < end; ++i)
+                           curved[i] = isCurved(pixels[i]);
+                   });
     std::vector<std::uint32_t> seeds;
     for (std::uint32_t i = 0; i < pixels.size(); ++i)
-    {
-        const double tight = std::abs(curvatureAt(pixels[i], tiles, shortReach, tightest));
-        bool isCurved = tight > 0.15 && tight < tightest;
-        if (!isCurved && tight < 0.5)
-        {
-            const double wide = std::abs(curvatureAt(pixels[i], tiles, longReach, 0.5));
-            isCurved = wide > widest && wide < 0.5;
-        }
-        if (isCurved)
+        if (curved[i])
             seeds.push_back(i);
-    }
     return seeds;
 }
 

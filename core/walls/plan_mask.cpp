@@ -52,33 +52,37 @@ bool isOverhead(const SurfaceCells& cells, const SurfaceCell& c, const Level& le
 PlanMask::PlanMask(const SurfaceCells& cells, const Level& level)
 {
     m_pixel = std::max(0.03, 1.3 * cells.size_m);
-    Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    std::vector<std::pair<Eigen::Vector2d, std::uint8_t>> hits;
-    for (const SurfaceCell& c : cellsOf(cells, level))
-        if (const std::uint8_t layer = layerOf(cells, c, level))
-        {
-            const Eigen::Vector2d p = c.position.head<2>().cast<double>();
-            low = low.cwiseMin(p);
-            high = high.cwiseMax(p);
-            hits.emplace_back(p, layer);
-        }
-    if (hits.empty())
+    const std::span<const SurfaceCell> storey = cellsOf(cells, level);
+    std::vector<std::uint8_t> layers(storey.size());
+    Eigen::Vector2f lowest = Eigen::Vector2f::Constant(std::numeric_limits<float>::infinity()), highest = -lowest;
+    for (std::size_t i = 0; i < storey.size(); ++i)
+    {
+        layers[i] = layerOf(cells, storey[i], level);
+        if (layers[i] == 0)
+            continue;
+        lowest = lowest.cwiseMin(storey[i].position.head<2>());
+        highest = highest.cwiseMax(storey[i].position.head<2>());
+    }
+    if (!(lowest.x() <= highest.x()))
         return;
-    m_low = low - Eigen::Vector2d::Constant(m_pixel);
+    m_low = lowest.cast<double>() - Eigen::Vector2d::Constant(m_pixel);
+    const Eigen::Vector2d high = highest.cast<double>();
     m_size = ((high - m_low) / m_pixel).array().ceil().cast<int>() + 2;
     m_layers.assign(static_cast<std::size_t>(m_size.x()) * static_cast<std::size_t>(m_size.y()), 0);
-    for (const auto& [p, layer] : hits)
+    for (std::size_t k = 0; k < storey.size(); ++k)
     {
-        const Eigen::Vector2i i = pixelOf(p, m_low, m_pixel);
+        if (layers[k] == 0)
+            continue;
+        const Eigen::Vector2i i = pixelOf(storey[k].position.head<2>().cast<double>(), m_low, m_pixel);
         m_layers[static_cast<std::size_t>(i.x()) +
-                 static_cast<std::size_t>(m_size.x()) * static_cast<std::size_t>(i.y())] |= layer;
+                 static_cast<std::size_t>(m_size.x()) * static_cast<std::size_t>(i.y())] |= layers[k];
     }
     if (area_m2(Ceiling) < 0.3 * area_m2(Floor))
         m_main = Floor;
 
     m_coarseSize = ((high - m_low) / kCoarse_m).array().ceil().cast<int>() + 1;
     m_overhead.assign(static_cast<std::size_t>(m_coarseSize.x()) * static_cast<std::size_t>(m_coarseSize.y()), -1.0f);
-    for (const SurfaceCell& c : cellsOf(cells, level))
+    for (const SurfaceCell& c : storey)
     {
         if (!isOverhead(cells, c, level))
             continue;
