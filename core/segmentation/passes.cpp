@@ -48,11 +48,11 @@ void addTiles(const SurfaceCells& cells, const std::vector<std::uint32_t>& store
     {
         const Eigen::Index axis = size.x() >= size.y() ? 0 : 1;
         const float middle = (box.low[axis] + box.high[axis]) / 2;
-        const auto second = std::stable_partition(
-            own.begin(), own.end(), [&](std::uint32_t i) { return cells.cells[i].position[axis] < middle; });
-        std::vector<std::uint32_t> rest(second, own.end());
-        own.erase(second, own.end());
-        addTiles(cells, storey, std::move(own), like, params, passes);
+        std::vector<std::uint32_t> first, rest;
+        for (const std::uint32_t i : own)
+            (cells.cells[i].position[axis] < middle ? first : rest).push_back(i);
+        own = {};
+        addTiles(cells, storey, std::move(first), like, params, passes);
         addTiles(cells, storey, std::move(rest), like, params, passes);
         return;
     }

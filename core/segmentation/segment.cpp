@@ -11,6 +11,7 @@
 #include "core/segmentation/passes.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <format>
 #include <future>
@@ -59,6 +60,58 @@ CellSet cellsOf(const SurfaceCells& cells, const std::vector<std::array<std::uin
     return set;
 }
 
+/// What the network says of every cell.
+std::vector<CellClass> classesOf(const SurfaceCells& cells, const std::vector<std::array<std::uint8_t, 3>>& colours,
+                                 const std::vector<SegmentPass>& passes, const OnnxModel& model, const Context& context)
+{
+    const ModelContract& contract = model.contract();
+    std::vector<CellClass> classes(cells.cells.size());
+    std::size_t total = 0;
+    for (const SegmentPass& pass : passes)
+        total += pass.cells.size();
+    std::atomic<std::size_t> next = 0, done = 0;
+    const auto run = [&](const SegmentPass& pass, const auto& tell)
+    {
+        tell("Features");
+        const std::vector<Tensor> inputs =
+            makeInputs(contract, model.inputNames(), cellsOf(cells, colours, pass), context);
+        tell("Network");
+        const std::vector<float> scores = model.run(inputs, pass.cells.size(), context);
+        for (std::size_t i = 0; i < pass.inside; ++i)
+            classes[pass.cells[i]] = classOf(scores.data() + i * contract.classes.size(), contract);
+        done += pass.cells.size();
+    };
+    const auto runAll = [&](bool tells)
+    {
+        try
+        {
+            for (std::size_t k = next++; k < passes.size(); k = next++)
+                run(passes[k],
+                    [&](const char* what)
+                    {
+                        context.checkCancelled();
+                        if (tells)
+                            context.report(
+                                passes.size() > 1 ? std::format("{} ({} of {})", what, k + 1, passes.size()) : what,
+                                0.3 + 0.6 * static_cast<double>(done) / static_cast<double>(total));
+                    });
+        }
+        catch (...)
+        {
+            next = passes.size();  // for the other one, too
+            throw;
+        }
+    };
+    // Two passes side by side: neither features nor network keep all cores busy by themselves.
+    std::future<void> other;
+    if (context.threads != 1 && passes.size() > 1)
+        other = std::async(std::launch::async, runAll, false);
+    runAll(true);
+    if (other.valid())
+        other.get();
+    return classes;
+}
+
 }  // namespace
 
 Segmentation segment(const CloudView& cloud, const OnnxModel& model, const SegmentParams& params,
@@ -90,34 +143,7 @@ Segmentation segment(const CloudView& cloud, const OnnxModel& model, const Segme
     const std::vector<Level> levels = findLevels(cells, {}, context).levels;
     const std::vector<SegmentPass> passes = planPasses(cells, levels, params, context);
 
-    std::vector<CellClass> classes(cells.cells.size());
-    std::size_t total = 0, done = 0;
-    for (const SegmentPass& pass : passes)
-        total += pass.cells.size();
-    const auto fraction = [&](double within, const SegmentPass& pass)
-    {
-        return 0.3 + 0.6 * (static_cast<double>(done) + within * static_cast<double>(pass.cells.size())) /
-                         static_cast<double>(total);
-    };
-    // The next pass's features are made while the network looks at this one: neither keeps all cores busy.
-    const auto inputsOf = [&](std::size_t k)
-    { return makeInputs(contract, model.inputNames(), cellsOf(cells, colours, passes[k]), context); };
-    std::future<std::vector<Tensor>> next = std::async(std::launch::async, inputsOf, 0u);
-    for (std::size_t k = 0; k < passes.size(); ++k)
-    {
-        const SegmentPass& pass = passes[k];
-        const std::string part = passes.size() > 1 ? std::format(" ({} of {})", k + 1, passes.size()) : "";
-        context.report("Features" + part, fraction(0.0, pass));
-        const std::vector<Tensor> inputs = next.get();
-        if (k + 1 < passes.size())
-            next = std::async(std::launch::async, inputsOf, k + 1);
-        context.report("Network" + part, fraction(0.3, pass));
-        const std::vector<float> scores = model.run(inputs, pass.cells.size(), context);
-        for (std::size_t i = 0; i < pass.inside; ++i)
-            classes[pass.cells[i]] = classOf(scores.data() + i * contract.classes.size(), contract);
-        done += pass.cells.size();
-    }
-
+    std::vector<CellClass> classes = classesOf(cells, colours, passes, model, context);
     if (params.settle)
     {
         context.report("Elements", 0.9);
