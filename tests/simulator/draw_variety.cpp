@@ -6,6 +6,33 @@
 namespace s2b::sim
 {
 
+namespace
+{
+
+/// A small laser on a turntable: sparse between its lines, coarse in range, one set-up in a room or a few.
+void drawLineLaser(Variety& v, Random& random)
+{
+    ScanSettings& scan = v.scan;
+    scan.step_deg = scan.lineStep_deg = random.uniform(0.7, 1.4);
+    if (random.chance(0.5))
+        scan.step_deg = random.uniform(0.6, 1.2);
+    else if (random.chance(0.7))
+        scan.step_deg = random.uniform(0.15, 0.4);
+    else
+    {
+        scan.step_deg = random.uniform(0.8, 2.0);
+        scan.lineStep_deg = random.uniform(0.2, 0.5);
+    }
+    scan.noise_m = 0.001 * std::exp(random.uniform(std::log(3.0), std::log(30.0)));
+    scan.rangeStep_m = random.chance(0.5) ? 0.01 : 0.0;
+    scan.rangeMax_m = random.uniform(8.0, 30.0);
+    scan.voxel_m = random.chance(0.7) ? 0.005 : random.uniform(0.02, 0.05);
+    scan.mostStations = random.chance(0.65) ? 1 : 2 + static_cast<unsigned>(random.below(3));
+    v.outside = false;
+}
+
+}  // namespace
+
 Variety drawVariety(std::uint64_t seed)
 {
     Random random{seed, 0x7a4};
@@ -61,6 +88,19 @@ Variety drawVariety(std::uint64_t seed)
     scan.glassReturn = random.uniform(0.02, 0.15);
     scan.voxel_m = random.chance(0.8) ? random.uniform(0.018, 0.032) : random.uniform(0.03, 0.05);
     v.outside = random.chance(0.35);
+
+    // Draws of their own, so that the buildings above stay what they are.
+    Random scanner{seed, 0x7a5};
+    const double glass = scanner.uniform();
+    if (glass < 0.1)
+        scan.glassReturn = 0.0;
+    else if (glass < 0.22)
+        scan.glassReturn = scanner.uniform(0.25, 0.8);
+    const double make = scanner.uniform();
+    if (make < 0.22)
+        drawLineLaser(v, scanner);
+    else if (make < 0.28)
+        scan.voxel_m = scanner.uniform(0.05, 0.1);  // thinned to what an office's network carries
     return v;
 }
 

@@ -34,6 +34,9 @@ void check(const ScanSettings& s)
             throw Error(ErrorCode::BadParameter, what);
     };
     require(s.step_deg >= 0.01 && s.step_deg <= 10.0, "the angular step must be 0.01 to 10 degrees");
+    require(s.lineStep_deg == 0.0 || (s.lineStep_deg >= 0.01 && s.lineStep_deg <= 10.0),
+            "the step between lines must be 0 (as between rays) or 0.01 to 10 degrees");
+    require(s.rangeStep_m >= 0.0 && s.rangeStep_m <= 1.0, "the step of the range must be 0 to 1 m");
     require(s.elevationMin_deg >= -90.0 && s.elevationMin_deg < 90.0, "the lowest elevation must be -90 to 90 degrees");
     require(s.rangeMin_m >= 0.0 && s.rangeMax_m > s.rangeMin_m, "the range limits must be ascending and not negative");
     require(s.noise_m >= 0.0 && s.noise_m <= 1.0, "the range noise must be 0 to 1 m");
@@ -86,12 +89,15 @@ public:
         return static_cast<std::size_t>((std::numbers::pi / 2.0 - m_lowest) / m_step) + 1;
     }
 
-    /// All rays of one elevation. Rows get shorter towards the zenith, as after the usual thinning of a scan's poles.
+    /// All rays of one elevation. Rows get shorter towards the zenith, as after the usual thinning of a scan's poles;
+    /// those of a line laser do not.
     void scanRing(std::size_t ring, Survey& out) const
     {
         const double elevation = m_lowest + static_cast<double>(ring) * m_step;
-        const auto count =
-            std::max<std::size_t>(8, static_cast<std::size_t>(2.0 * std::numbers::pi * std::cos(elevation) / m_step));
+        const bool isLineLaser = m_settings.lineStep_deg > 0.0;
+        const double step = isLineLaser ? radians(m_settings.lineStep_deg) : m_step / std::cos(elevation);
+        const auto count = std::max<std::size_t>(8, static_cast<std::size_t>(2.0 * std::numbers::pi / step));
+        const double jitter = isLineLaser ? 0.05 : 0.25;
         std::vector<Eigen::Vector3f> directions(count);
         std::vector<Return> returns(count);
         std::vector<Random> random;
@@ -100,7 +106,7 @@ public:
         {
             random.push_back(Random{m_settings.seed, 0x4a7, m_index, ring, i});
             Random& r = random.back();
-            const double azimuth = m_phase + (static_cast<double>(i) + r.uniform(-0.25, 0.25)) * 2.0 *
+            const double azimuth = m_phase + (static_cast<double>(i) + r.uniform(-jitter, jitter)) * 2.0 *
                                                  std::numbers::pi / static_cast<double>(count);
             directions[i] = Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth),
                                             std::cos(elevation) * std::sin(azimuth), std::sin(elevation))
@@ -181,6 +187,8 @@ private:
         }
         const double sigma = m_settings.noise_m * (0.55 + 0.04 * range + 0.25 / std::max(cosine, 0.25));
         range += sigma * random.gaussian();
+        if (m_settings.rangeStep_m > 0.0)
+            range = std::round(range / m_settings.rangeStep_m) * m_settings.rangeStep_m;
         const Eigen::Vector3f point = m_from + direction * static_cast<float>(range);
 
         const Surface& surface = m_scene.surfaces[hit.triangle];

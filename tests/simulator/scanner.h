@@ -23,8 +23,12 @@ struct Station
 struct ScanSettings
 {
     std::uint64_t seed = 1;
-    unsigned threads = 0;             ///< 0 = all; the result does not depend on it
-    double step_deg = 0.2;            ///< between rays, both ways; [0.01, 10]
+    unsigned threads = 0;       ///< 0 = all; the result does not depend on it
+    double step_deg = 0.2;      ///< between rays, both ways; [0.01, 10]
+    double lineStep_deg = 0.0;  ///< between upright lines, as many at the zenith as anywhere: a line laser that is
+                                ///< turned; [0.01, 10], 0 = step_deg, fewer towards the zenith
+    double rangeStep_m = 0.0;   ///< the range is rounded to it
+    unsigned mostStations = 0;  ///< stations near each other, drawn from those chosen; 0 = all
     double elevationMin_deg = -60.0;  ///< below that the tripod is in the way
     double rangeMin_m = 0.4;
     double rangeMax_m = 30.0;
@@ -64,6 +68,9 @@ struct Survey
 /// walked through, and round the building when `outside`. Clear of furniture and walls by 0.35 m where there is room.
 [[nodiscard]] std::vector<Station> chooseStations(const SimulatedBuilding& building, const Scene& scene, bool outside,
                                                   std::uint64_t seed = 1);
+
+/// At most so many of the stations within a building: one that the seed draws, and the nearest to it on its storey.
+[[nodiscard]] std::vector<Station> fewStations(const std::vector<Station>& stations, unsigned most, std::uint64_t seed);
 
 /// Stations for any scene: the fewest (greedily) that see nearly all of each storey's free floor and of the walls along
 /// it.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace s2b::sim
 {
@@ -175,6 +176,21 @@ std::vector<Station> chooseStations(const SimulatedBuilding& building, const Sce
     if (outside)
         placer.outside();
     return placer.take();
+}
+
+std::vector<Station> fewStations(const std::vector<Station>& stations, unsigned most, std::uint64_t seed)
+{
+    std::vector<Station> result;
+    std::copy_if(stations.begin(), stations.end(), std::back_inserter(result),
+                 [](const Station& s) { return s.storey >= 0; });
+    if (most == 0 || result.empty())
+        return stations;
+    const Station first = result[Random{seed, 0xfe3}.below(result.size())];
+    std::erase_if(result, [&](const Station& s) { return s.storey != first.storey; });
+    std::stable_sort(result.begin(), result.end(), [&](const Station& a, const Station& b)
+                     { return (a.position - first.position).norm() < (b.position - first.position).norm(); });
+    result.resize(std::min<std::size_t>(most, result.size()));
+    return result;
 }
 
 }  // namespace s2b::sim

@@ -119,6 +119,10 @@ void addOptions(CLI::App& app, Options& o)
 
     const char* scanner = "Scanner";
     app.add_option("--step-deg", o.scan.step_deg, "angle between rays")->capture_default_str()->group(scanner);
+    app.add_option("--line-step-deg", o.scan.lineStep_deg,
+                   "a line laser that is turned: angle between its upright lines, of which none ends below the zenith")
+        ->group(scanner);
+    app.add_option("--stations", o.scan.mostStations, "at most so many, near each other; 0 = all")->group(scanner);
     app.add_option_function<double>(
            "--noise-mm", [&o](double mm) { o.scan.noise_m = mm / 1000.0; }, "sigma of the range at 5 m [2]")
         ->group(scanner);
@@ -185,6 +189,7 @@ int run(Options& o)
         scene = readScene(o.ifcIn);
         stations = chooseStations(scene, o.outside, o.scan.seed);
     }
+    stations = fewStations(stations, o.scan.mostStations, o.scan.seed);
     std::printf("%zu triangles, %zu stations (%.1f s)\n", scene.triangles.size(), stations.size(), seconds());
     std::fflush(stdout);
     const Survey survey = scan(scene, stations, o.scan);

@@ -18,6 +18,59 @@ struct Disc
     double radius;
 };
 
+/// Books, folders, boxes, screens: things of many sizes side by side on a board, y from `back` to `front`.
+void addThings(Piece& piece, double width, double back, double front, double z, double most, double filled,
+               Random& random)
+{
+    for (double x = -width / 2.0 + 0.02; x < width / 2.0 - 0.05;)
+    {
+        const double size = std::min(random.uniform(0.04, 0.45), width / 2.0 - 0.02 - x);
+        if (size > 0.03 && random.chance(filled))
+        {
+            const double depth = random.uniform(0.4, 1.0) * (front - back);
+            const double height = random.uniform(0.25, 1.0) * most;
+            const double from = random.chance(0.5) ? back : random.uniform(back, front - depth);
+            piece.box(x + size / 2.0, from + depth / 2.0, z + height / 2.0, size / 2.0 - 0.003, depth / 2.0,
+                      height / 2.0);
+        }
+        x += size + random.uniform(0.0, 0.06);
+    }
+}
+
+/// A shelf full of things, with a back and sides or without.
+void addFilledShelf(Piece& piece, double width, double depth, double height, Random& random)
+{
+    const double filled = random.uniform(0.3, 0.95);
+    const double spacing = random.uniform(0.25, 0.5);
+    if (random.chance(0.5))
+        piece.box(0, -depth / 2.0 + 0.005, height / 2.0, width / 2.0, 0.005, height / 2.0);
+    for (double x = -width / 2.0; x <= width / 2.0 + 1e-6; x += width / std::max(1.0, std::round(width / 1.0)))
+        piece.box(x, 0, height / 2.0, 0.015, depth / 2.0, height / 2.0);
+    for (double z = random.uniform(0.03, 0.12); z < height; z += spacing)
+    {
+        piece.box(0, 0, z, width / 2.0, depth / 2.0, 0.012);
+        addThings(piece, width, -depth / 2.0, depth / 2.0, z + 0.012, spacing - 0.05, filled, random);
+    }
+}
+
+/// A desk or bench with things on it and below it.
+void addFilledDesk(Piece& piece, double width, double depth, Random& random)
+{
+    const double height = random.uniform(0.68, 0.95);
+    piece.box(0, 0, height, width / 2.0, depth / 2.0, 0.015);
+    for (const double x : {-1.0, 1.0})
+    {
+        if (random.chance(0.5))
+            piece.box(x * (width / 2.0 - 0.2), 0, height / 2.0, 0.2, 0.45 * depth, height / 2.0);
+        else
+            piece.box(x * (width / 2.0 - 0.03), 0, height / 2.0, 0.02, 0.45 * depth, height / 2.0);
+    }
+    addThings(piece, width, -depth / 2.0, depth / 2.0, height + 0.015, random.uniform(0.15, 0.7),
+              random.uniform(0.2, 0.8), random);
+    if (random.chance(0.4))
+        addThings(piece, 0.8 * width, -depth / 2.0, depth / 2.0, 0.0, 0.6 * height, 0.4, random);
+}
+
 class Furnisher
 {
 public:
@@ -121,8 +174,26 @@ private:
         Place place;
         const double draw = random.uniform();
         const double gap = random.pick(std::vector<double>{0.0, 0.002, 0.01, 0.03});
+        const bool isFilled = random.chance(0.3);
+        const bool isShelf = random.chance(0.55);
         for (int attempt = 0; attempt < 15; ++attempt)
         {
+            if (isFilled)
+            {
+                const double width = random.uniform(0.8, 3.0);
+                const double depth = isShelf ? random.uniform(0.22, 0.5) : random.uniform(0.5, 0.9);
+                const double height = std::min(clear - 0.1, random.uniform(1.2, 2.5));
+                if (!find(room, width, depth + gap, !isShelf, random, place))
+                    continue;
+                Piece p = piece(isShelf ? "shelf" : "desk", place, gap + depth / 2.0, random);
+                if (isShelf)
+                    addFilledShelf(p, width, depth, height, random);
+                else
+                    addFilledDesk(p, width, depth, random);
+                m_props.push_back(p.take());
+                take(place, width, depth);
+                return;
+            }
             if (draw < 0.3)  // a wardrobe or a run of them, up to the ceiling or not
             {
                 const double width = random.uniform(0.8, 3.0), depth = random.uniform(0.3, 0.65);
@@ -214,7 +285,9 @@ private:
             Piece p("island", at, m_floor, random.chance(0.6) ? 0.0 : random.uniform(0.0, 3.1), m_storey,
                     random.pick(pieceColours()));
             const double draw = random.uniform();
-            if (draw < 0.4)
+            if (random.chance(0.35))
+                addFilledDesk(p, 2.0 * width, 2.0 * std::min(depth, 0.5), random);
+            else if (draw < 0.4)
                 p.box(0, 0, 0.46, width, depth, 0.46);  // a kitchen island, a counter
             else if (draw < 0.6)
             {

@@ -53,6 +53,9 @@ public:
                 else if (draw < (toCorridor ? 0.93 : 0.65))
                     m_plan.addOpening(wall, room, OpeningKind::Plain, random.uniform(0.8, 3.0),
                                       random.chance(0.3) ? 9.0 : random.uniform(2.0, 2.5), 0.0, random);
+                else if (draw < (toCorridor ? 0.99 : 0.7))  // a glazed partition, with a door perhaps
+                    m_plan.addOpening(wall, room, OpeningKind::Window, random.uniform(1.4, 4.0),
+                                      random.chance(0.4) ? 9.0 : random.uniform(2.1, 2.6), 0.0, random);
                 if (random.chance(0.06))
                     m_plan.addOpening(wall, room, OpeningKind::Window, random.uniform(0.8, 2.5),
                                       random.uniform(0.8, 1.3), random.uniform(0.8, 1.1), random);
@@ -121,8 +124,10 @@ private:
         const double clear = m_plan.clearHeight();
         if (length < 0.6)
             return;
-        if (random.chance(room.kind == RoomKind::Corridor ? 0.5 : 0.12))
+        if (random.chance(room.kind == RoomKind::Corridor ? 0.5 : 0.2))
             door(wall, room, random);
+        if (random.chance(0.07))  // a door and the glazing beside it, in one frame
+            window(wall, room, std::min(length, random.uniform(1.4, 2.8)), random.uniform(2.0, 2.6), 0.0, random);
         const double draw = random.uniform();
         if (draw < m_style.fronts)
         {

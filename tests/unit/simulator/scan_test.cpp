@@ -9,6 +9,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 namespace s2b::sim
@@ -299,6 +300,60 @@ TEST(Scan, RespectsTheRangeLimits)
     }
 }
 
+TEST(Scan, LinesOfALineLaserMeetAtTheZenith)
+{
+    const Scene scene = makeScene(makeBuilding(oneRoom()));
+    const Eigen::Vector3d at(2.0, 2.0, 1.5);
+    ScanSettings settings = coarse();
+    const Survey thinned = scan(scene, {{at, 0}}, settings);
+    settings.lineStep_deg = 2.0;
+    const Survey lines = scan(scene, {{at, 0}}, settings);
+    const auto above = [&](const Survey& survey)
+    {
+        return std::count_if(survey.points.begin(), survey.points.end(), [&](const Eigen::Vector3f& p)
+                             { return p.z() > 2.0F && (p.head<2>().cast<double>() - at.head<2>()).norm() < 0.1; });
+    };
+    EXPECT_GT(above(lines), 4 * above(thinned));
+    // Lines are 2 degrees apart, and so are nearly all points 2 degrees or nothing from the first line.
+    const double phase = std::atan2(lines.points[0].y() - 2.0, lines.points[0].x() - 2.0) * 90.0 / std::numbers::pi;
+    const auto onLines = std::count_if(
+        lines.points.begin(), lines.points.end(),
+        [&](const Eigen::Vector3f& p)
+        {
+            return std::abs(std::remainder(std::atan2(p.y() - 2.0, p.x() - 2.0) * 90.0 / std::numbers::pi - phase,
+                                           1.0)) < 0.15;
+        });
+    EXPECT_GT(static_cast<double>(onLines), 0.98 * static_cast<double>(lines.size()));
+}
+
+TEST(Scan, RoundsTheRange)
+{
+    ScanSettings settings = coarse();
+    settings.rangeStep_m = 0.05;
+    const Eigen::Vector3d at(2.0, 2.0, 1.5);
+    for (const Eigen::Vector3f& p : scan(makeScene(makeBuilding(oneRoom())), {{at, 0}}, settings).points)
+        ASSERT_NEAR(std::remainder((p.cast<double>() - at).norm(), 0.05), 0.0, 1e-5);
+}
+
+TEST(Scan, FewStationsAreNeighboursWithinTheBuilding)
+{
+    const SimulatedBuilding building = makeBuilding({});
+    const std::vector<Station> all = chooseStations(building, makeScene(building), true);
+    for (std::uint64_t seed = 1; seed < 20; ++seed)
+    {
+        const std::vector<Station> few = fewStations(all, 3, seed);
+        ASSERT_EQ(few.size(), 3U);
+        const double reach = (few.back().position - few.front().position).norm();
+        for (const Station& s : few)
+            EXPECT_EQ(s.storey, few.front().storey);
+        EXPECT_EQ(std::count_if(
+                      all.begin(), all.end(), [&](const Station& s)
+                      { return s.storey == few.front().storey && (s.position - few.front().position).norm() < reach; }),
+                  2);
+    }
+    EXPECT_EQ(fewStations(all, 0, 1).size(), all.size());
+}
+
 TEST(Scan, ScansAMillionRaysASecond)
 {
     const SimulatedBuilding building = makeBuilding({});
@@ -335,6 +390,9 @@ TEST(Scan, RefusesSettingsOutOfRange)
     const std::vector<Station> stations{{{2.0, 2.0, 1.5}, 0}};
     ScanSettings settings;
     settings.step_deg = 0.0;
+    EXPECT_THROW((void)scan(scene, stations, settings), Error);
+    settings = {};
+    settings.lineStep_deg = 20.0;
     EXPECT_THROW((void)scan(scene, stations, settings), Error);
     settings = {};
     settings.labelErrors = 1.5;

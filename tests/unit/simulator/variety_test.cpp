@@ -43,6 +43,47 @@ TEST(Variety, AllClassesOccur)
     EXPECT_EQ(labels.size(), kLabelCount);
 }
 
+TEST(Variety, AFifthOfTheScannersAreLineLasersFromAFewSetUps)
+{
+    int lines = 0;
+    for (std::uint64_t seed = 1; seed <= 200; ++seed)
+    {
+        const Variety variety = drawVariety(seed);
+        if (variety.scan.lineStep_deg == 0.0)
+            continue;
+        ++lines;
+        EXPECT_GE(variety.scan.mostStations, 1U);
+        EXPECT_LE(variety.scan.mostStations, 4U);
+        EXPECT_FALSE(variety.outside);
+    }
+    EXPECT_GT(lines, 25);
+    EXPECT_LT(lines, 65);
+}
+
+TEST(Variety, SomeGlazedFrontsHaveADoorAndSomeDoorsAreGlazed)
+{
+    std::size_t fronts = 0, glazedDoors = 0;
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed)
+    {
+        const Scene scene = sceneOf(seed);
+        std::set<std::uint32_t> doors, glazed, windows;
+        for (const Surface& surface : scene.surfaces)
+        {
+            if (surface.label == Label::Door)
+                (surface.material == Material::Glass ? glazed : doors).insert(surface.element);
+            if (surface.label == Label::Window)
+                windows.insert(surface.element);
+        }
+        for (const std::uint32_t element : glazed)
+        {
+            EXPECT_TRUE(doors.contains(element) || scene.elements[element].type == "IfcDoor");
+            ++(windows.contains(element) ? fronts : glazedDoors);
+        }
+    }
+    EXPECT_GT(fronts, 5U);
+    EXPECT_GT(glazedDoors, 20U);
+}
+
 TEST(Variety, TheSameSeedGivesTheSameScene)
 {
     const Scene a = sceneOf(7), b = sceneOf(7);
