@@ -108,6 +108,8 @@ namespace s2b
 		progress.show();
 		watcher.setFuture(QtConcurrent::run(guarded));
 		loop.exec();
+		stop.request_stop(); // CloudCompare quits: the worker may not outlive what it works with
+		watcher.waitForFinished();
 		progress.close();
 
 		if (failure)

@@ -24,10 +24,11 @@ def test_reconstruct_look_correct_export(window, to_bin, survey, output):
     assert check.returncode == 0, check.stdout
 
 
-def test_cancel_leaves_nothing(window, to_bin, tmp_path):
+def test_cancelling_and_quitting_leave_nothing(window, to_bin, tmp_path):
     # Large enough that the last moment of cancelling still lies within the run.
-    scan = make_survey(tmp_path / "large.laz", "--storeys", 2, "--rooms", 2, "--step-deg", 0.2, "--voxel", 0.01)
-    window("cancel", to_bin(scan))
+    scan = to_bin(make_survey(tmp_path / "large.laz", "--storeys", 2, "--rooms", 2, "--step-deg", 0.2, "--voxel", 0.01))
+    window("cancel", scan)
+    window("quit", scan)
 
 
 def test_unknown_codes_are_shown(window, to_bin, tmp_path, room):
