@@ -4,7 +4,7 @@
 #include <QFileDialog>
 #include <optional>
 
-class QLineEdit;
+class S2BEpsgField;
 
 //! Where a model is written, in which schema, and what its coordinates are of
 /** Qt's own dialog, as the native ones take no fields of ours. **/
@@ -19,15 +19,11 @@ class S2BExportDlg : public QFileDialog
 	QString path() const;
 	QString schema() const;
 	//! Nothing when the field is empty
-	std::optional<int> epsg() const
-	{
-		return m_code;
-	}
+	std::optional<int> epsg() const;
 
 	//! Stays open, and says why, when the code is none
 	void accept() override;
 
   private:
-	QLineEdit*         m_epsg = nullptr;
-	std::optional<int> m_code;
+	S2BEpsgField* m_epsg = nullptr;
 };

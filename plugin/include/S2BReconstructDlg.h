@@ -7,6 +7,7 @@
 #include <QDialog>
 #include <QString>
 #include <map>
+#include <optional>
 #include <vector>
 
 class QCheckBox;
@@ -14,6 +15,8 @@ class QComboBox;
 class QDialogButtonBox;
 class QLineEdit;
 class QSpinBox;
+class QTabWidget;
+class S2BEpsgField;
 class S2BLabelBox;
 class S2BLevelPage;
 class S2BParameterPanel;
@@ -25,12 +28,13 @@ namespace s2b
 	//! What the dialog was told
 	struct RunChoice
 	{
-		PipelineOptions pipeline;
-		LabelChoice     labels;
-		QString         ifcPath; //!< empty: no file
-		QString         schema  = "IFC4";
-		unsigned        threads = 0;
-		std::uint64_t   seed    = 1;
+		PipelineOptions    pipeline;
+		LabelChoice        labels;
+		QString            ifcPath; //!< empty: no file
+		QString            schema = "IFC4";
+		std::optional<int> epsg; //!< of the file
+		unsigned           threads = 0;
+		std::uint64_t      seed    = 1;
 	};
 } // namespace s2b
 
@@ -45,6 +49,9 @@ class S2BReconstructDlg : public QDialog
 	S2BReconstructDlg(const std::vector<const ccPointCloud*>& clouds, QWidget* parent);
 
 	s2b::RunChoice choice() const;
+
+	//! Stays open, and says why, when a file is to be written in no coordinate system that there is
+	void accept() override;
 
   private:
 	QWidget* makeMainPage();
@@ -62,6 +69,7 @@ class S2BReconstructDlg : public QDialog
 	std::vector<const ccPointCloud*> m_clouds;
 	s2b::Parameters                  m_parameters;
 
+	QTabWidget*                      m_tabs    = nullptr;
 	S2BPresetBar*                    m_presets = nullptr;
 	S2BLabelBox*                     m_labels  = nullptr;
 	S2BLevelPage*                    m_levels  = nullptr;
@@ -71,6 +79,7 @@ class S2BReconstructDlg : public QDialog
 	QCheckBox*                       m_writeIfc = nullptr;
 	QLineEdit*                       m_ifcPath  = nullptr;
 	QComboBox*                       m_schema   = nullptr;
+	S2BEpsgField*                    m_epsg     = nullptr;
 	QSpinBox*                        m_threads  = nullptr;
 	QSpinBox*                        m_seed     = nullptr;
 	QDialogButtonBox*                m_buttons  = nullptr;

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "S2BExportDlg.h"
 
-#include "S2BOptions.h"
+#include "S2BEpsgField.h"
 
 #include <QDir>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
-#include <QLineEdit>
-#include <QMessageBox>
 #include <QSettings>
 
 namespace
 {
 	const QString kFolder = "qScanToBim/folder";
-	const QString kEpsg   = "qScanToBim/epsg";
 } // namespace
 
 S2BExportDlg::S2BExportDlg(const QString& fileName, QWidget* parent)
@@ -26,11 +23,7 @@ S2BExportDlg::S2BExportDlg(const QString& fileName, QWidget* parent)
 	setDefaultSuffix("ifc");
 	selectFile(fileName);
 
-	m_epsg = new QLineEdit(QSettings().value(kEpsg).toString());
-	m_epsg->setObjectName("epsg");
-	m_epsg->setPlaceholderText("none: the site is placed in the cloud's coordinates");
-	m_epsg->setToolTip("The code of the projected coordinate system of the cloud's coordinates, 25832 say: the file gets an IfcMapConversion instead of a site placement");
-	m_epsg->setClearButtonEnabled(true);
+	m_epsg      = new S2BEpsgField;
 	auto* label = new QLabel("EPSG code:");
 	label->setBuddy(m_epsg);
 	if (auto* grid = qobject_cast<QGridLayout*>(layout()))
@@ -51,29 +44,18 @@ QString S2BExportDlg::schema() const
 	return selectedNameFilter().section(' ', 0, 0);
 }
 
+std::optional<int> S2BExportDlg::epsg() const
+{
+	return m_epsg->code();
+}
+
 void S2BExportDlg::accept()
 {
-	const QString text = m_epsg->text().trimmed();
-	try
-	{
-		m_code = text.isEmpty() ? std::nullopt : std::optional<int>(s2b::epsgCode(text));
-	}
-	catch (const std::exception& e)
-	{
-		QMessageBox box(QMessageBox::Warning, "Scan to BIM", QString::fromUtf8(e.what()), QMessageBox::Ok, this);
-		box.setObjectName("S2BMessage");
-		box.exec();
-		m_epsg->setFocus();
-		m_epsg->selectAll();
+	if (!m_epsg->check())
 		return;
-	}
 	QFileDialog::accept();
 	if (result() != Accepted) // a folder was entered, or what is there is not to be replaced
 		return;
-	QSettings settings;
-	settings.setValue(kFolder, QFileInfo(path()).absolutePath());
-	if (m_code)
-		settings.setValue(kEpsg, *m_code);
-	else
-		settings.remove(kEpsg);
+	QSettings().setValue(kFolder, QFileInfo(path()).absolutePath());
+	m_epsg->remember();
 }

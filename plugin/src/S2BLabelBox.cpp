@@ -62,7 +62,7 @@ S2BLabelBox::S2BLabelBox(std::vector<const ccPointCloud*> clouds, QWidget* paren
 	m_classes->setAlternatingRowColors(true);
 	m_classes->setSelectionMode(QAbstractItemView::NoSelection);
 	m_classes->header()->setStretchLastSection(true);
-	m_classes->setMinimumHeight(110);
+	m_classes->setMinimumHeight(80);
 	form->addRow(m_classes);
 
 	m_hint = new QLabel;

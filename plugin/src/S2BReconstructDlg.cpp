@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "S2BReconstructDlg.h"
 
+#include "S2BEpsgField.h"
 #include "S2BFileDialog.h"
 #include "S2BLabelBox.h"
 #include "S2BLevelPage.h"
@@ -12,6 +13,7 @@
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFile>
+#include <QGridLayout>
 #include <QGroupBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -67,31 +69,28 @@ S2BReconstructDlg::S2BReconstructDlg(const std::vector<const ccPointCloud*>& clo
 		points += cloud->size();
 	auto* title = new QLabel(QString("<b>%1</b>, %2 points").arg(m_clouds.size() == 1 ? m_clouds.front()->getName().toHtmlEscaped() : QString("%1 clouds, taken together").arg(m_clouds.size()), QLocale(QLocale::English).toString(points)));
 
-	auto* tabs = new QTabWidget;
-	tabs->setObjectName("tabs");
-	tabs->addTab(makeMainPage(), "Reconstruction");
+	m_tabs = new QTabWidget;
+	m_tabs->setObjectName("tabs");
+	m_tabs->addTab(makeMainPage(), "Reconstruction");
 	m_levels = new S2BLevelPage(m_clouds, [this]
 	                            { return S2BLevelPage::Request{choice().pipeline, choice().labels}; });
-	tabs->addTab(m_levels, "Levels");
-	tabs->addTab(makeExpertPage(), "All parameters");
-	connect(tabs, &QTabWidget::currentChanged, this, &S2BReconstructDlg::refreshParameters);
+	m_tabs->addTab(m_levels, "Levels");
+	m_tabs->addTab(makeExpertPage(), "All parameters");
+	connect(m_tabs, &QTabWidget::currentChanged, this, &S2BReconstructDlg::refreshParameters);
 
 	m_buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
 	m_buttons->button(QDialogButtonBox::Ok)->setText("Reconstruct");
-	connect(m_buttons, &QDialogButtonBox::accepted, this, [this]
-	        {
-		        writeSettings();
-		        accept(); });
+	connect(m_buttons, &QDialogButtonBox::accepted, this, &S2BReconstructDlg::accept);
 	connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 
 	auto* column = new QVBoxLayout(this);
 	column->addWidget(title);
-	column->addWidget(tabs);
+	column->addWidget(m_tabs);
 	column->addWidget(m_buttons);
 
 	readSettings();
 	updateButtons();
-	resize(600, 740);
+	resize(600, 800); // it can be made less high: the classes scroll
 }
 
 QWidget* S2BReconstructDlg::makeMainPage()
@@ -140,21 +139,26 @@ QWidget* S2BReconstructDlg::makeStageBox()
 QWidget* S2BReconstructDlg::makeFileBox()
 {
 	auto* box    = new QGroupBox("File");
-	auto* row    = new QHBoxLayout(box);
+	auto* grid   = new QGridLayout(box);
 	m_writeIfc   = new QCheckBox("Write IFC");
 	m_ifcPath    = new QLineEdit;
 	m_schema     = new QComboBox;
+	m_epsg       = new S2BEpsgField;
+	auto* label  = new QLabel("EPSG code:");
 	auto* browse = new QPushButton("...");
+	label->setBuddy(m_epsg);
 	m_writeIfc->setObjectName("writeIfc");
 	m_ifcPath->setObjectName("ifcPath");
 	m_schema->setObjectName("schema");
 	m_schema->addItems({"IFC4", "IFC4X3_ADD2"});
 	browse->setMaximumWidth(32);
-	row->addWidget(m_writeIfc);
-	row->addWidget(m_ifcPath, 1);
-	row->addWidget(browse);
-	row->addWidget(m_schema);
-	for (QWidget* widget : {static_cast<QWidget*>(m_ifcPath), static_cast<QWidget*>(browse), static_cast<QWidget*>(m_schema)})
+	grid->addWidget(m_writeIfc, 0, 0);
+	grid->addWidget(m_ifcPath, 0, 1);
+	grid->addWidget(browse, 0, 2);
+	grid->addWidget(m_schema, 0, 3);
+	grid->addWidget(label, 1, 0);
+	grid->addWidget(m_epsg, 1, 1, 1, 3);
+	for (QWidget* widget : std::initializer_list<QWidget*>{m_ifcPath, browse, m_schema, label, m_epsg})
 	{
 		widget->setEnabled(false);
 		connect(m_writeIfc, &QCheckBox::toggled, widget, &QWidget::setEnabled);
@@ -283,6 +287,18 @@ void S2BReconstructDlg::saveParameters()
 		QMessageBox::warning(this, "Scan to BIM", QString("'%1' can't be written.").arg(path));
 }
 
+void S2BReconstructDlg::accept()
+{
+	if (m_writeIfc->isChecked() && !m_epsg->check())
+	{
+		m_tabs->setCurrentIndex(0);
+		m_epsg->setFocus();
+		return;
+	}
+	writeSettings();
+	QDialog::accept();
+}
+
 s2b::RunChoice S2BReconstructDlg::choice() const
 {
 	s2b::RunChoice choice;
@@ -298,7 +314,10 @@ s2b::RunChoice S2BReconstructDlg::choice() const
 	if (m_levels)
 		choice.pipeline.levels = m_levels->given();
 	if (m_writeIfc->isChecked())
+	{
 		choice.ifcPath = m_ifcPath->text().trimmed();
+		choice.epsg    = m_epsg->code();
+	}
 	choice.schema  = m_schema->currentText();
 	choice.threads = static_cast<unsigned>(m_threads->value());
 	choice.seed    = static_cast<std::uint64_t>(m_seed->value());

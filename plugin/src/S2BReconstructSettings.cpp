@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the dialog remembers from one time to the next.
+#include "S2BEpsgField.h"
 #include "S2BLabelBox.h"
 #include "S2BParameterPanel.h"
 #include "S2BPresetBar.h"
@@ -71,7 +72,10 @@ void S2BReconstructDlg::writeSettings() const
 	settings.setValue("seed", m_seed->value());
 	settings.setValue("writeIfc", m_writeIfc->isChecked());
 	if (m_writeIfc->isChecked())
+	{
 		settings.setValue("folder", QFileInfo(m_ifcPath->text()).absolutePath());
+		m_epsg->remember();
+	}
 	m_presets->writeSettings(settings);
 	m_labels->writeSettings(settings);
 }

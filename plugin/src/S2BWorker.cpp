@@ -150,7 +150,11 @@ namespace s2b
 			                Building    result  = reconstruct(input.view, choice.pipeline, partOf(running, isLabelled ? kLabelled : 0.0, 1.0));
 			                running.report("Writing the IFC file", 1.0);
 			                if (!choice.ifcPath.isEmpty())
-				                writeModel(result, choice.ifcPath, writeOptions(choice.pipeline, choice.seed, projectName, choice.schema));
+			                {
+				                ifc::WriteOptions options = writeOptions(choice.pipeline, choice.seed, projectName, choice.schema);
+				                options.epsg              = choice.epsg;
+				                writeModel(result, choice.ifcPath, options);
+			                }
 			                building = std::move(result); });
 		return building;
 	}

@@ -22,26 +22,28 @@ def test_floor_plan_and_back(window, to_bin, survey):
     window("floor_plan", to_bin(survey))
 
 
-def test_export_takes_a_coordinate_system(window, cloudcompare, tmp_path, output):
+def test_files_take_a_coordinate_system(window, cloudcompare, tmp_path, output):
     survey = make_survey(tmp_path / "world.laz", *SMALL, "--origin", 32500100, 5600300, 120)
     run = cloudcompare("-NO_TIMESTAMP", "-C_EXPORT_FMT", "BIN", "-O", "-GLOBAL_SHIFT", "AUTO", survey, "-SAVE_CLOUDS", "FILE", tmp_path / "world.bin",
                        "-S2B", "-EPSG", 4647, "-IFC", "command.ifc")
     assert run.rc == 0
     said = window("export", tmp_path / "world.bin")
     conversions = []
-    for path in (tmp_path / "command.ifc", output / "projected.ifc"):
+    for path in (tmp_path / "command.ifc", output / "projected.ifc", output / "reconstructed.ifc"):
         model = ifcopenshell.open(str(path))
         assert [crs.Name for crs in model.by_type("IfcProjectedCRS")] == ["EPSG:4647"]
         conversion = model.by_type("IfcMapConversion")[0]
         conversions.append([conversion.Eastings, conversion.Northings, conversion.OrthogonalHeight, conversion.XAxisAbscissa, conversion.XAxisOrdinate])
         assert abs(conversion.Eastings - 32500100) < 100
-    assert conversions[0] == pytest.approx(conversions[1], rel=1e-12, abs=1e-6)
-    for name in ("placed.ifc", "again.ifc"):
+    for conversion in conversions[1:]:
+        assert conversion == pytest.approx(conversions[0], rel=1e-12, abs=1e-6)
+    for name in ("placed.ifc", "again.ifc", "last.ifc"):
         assert not ifcopenshell.open(str(output / name)).by_type("IfcCoordinateOperation")
 
     # What is no code is refused in the command's own sentence.
     refused = [line.removeprefix("refused ") for line in said.splitlines() if line.startswith("refused ")]
-    for code, sentence in zip(("EPSG:4647", "0", "32632.5"), refused, strict=True):
+    assert refused[:3] == refused[3:]
+    for code, sentence in zip(("EPSG:4647", "0", "32632.5"), refused[:3], strict=True):
         assert cloudcompare("-O", "-GLOBAL_SHIFT", "AUTO", survey, "-S2B", "-EPSG", code).ours[-1] == sentence and code in sentence
 
 

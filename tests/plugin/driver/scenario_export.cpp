@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Export IFC...'s own field: the coordinate system, checked as the command does and remembered.
+// The field for the coordinate system, in Export IFC... and in Reconstruct...: checked as the command does and
+// remembered.
 #include "driver.h"
 
 namespace
@@ -39,9 +40,69 @@ bool exportWith(Driver& driver, const QString& code, const QString& file, QStrin
     return QFile::exists(driver.output(file));
 }
 
+/// The same in Reconstruct...'s dialog, on the page of the levels.
+bool reconstructWith(Driver& driver, const QString& code, const QString& file, QString& remembered,
+                     QString* said = nullptr)
+{
+    QFile::remove(driver.output(file));
+    driver.select(driver.cloud());
+    driver.whenShown("S2BReconstructDlg",
+                     [&, code, file](QWidget* dialog)
+                     {
+                         auto* field = dialog->findChild<QLineEdit*>("epsg");
+                         auto* tabs = dialog->findChild<QTabWidget*>("tabs");
+                         if (!field || !field->isVisible())
+                         {
+                             driver.check(false, "there is a field for the coordinate system");
+                             return static_cast<QDialog*>(dialog)->reject();
+                         }
+                         remembered = field->text();
+                         dialog->findChild<QCheckBox*>("writeIfc")->setChecked(true);
+                         driver.check(field->isEnabled(), "the file that is written can have one");
+                         dialog->findChild<QLineEdit*>("ifcPath")->setText(driver.output(file));
+                         field->setText(code);
+                         tabs->setCurrentIndex(2);
+                         if (said)
+                             driver.expectMessage(*said);
+                         driver.press(dialog, QDialogButtonBox::Ok);
+                         if (!said)
+                             return;
+                         driver.check(dialog->isVisible() && field->isVisible(),
+                                      "the dialog stays open, with the field in it");
+                         static_cast<QDialog*>(dialog)->reject();
+                     });
+    driver.action("S2B.Reconstruct")->trigger();
+    QTest::qWait(200);
+    return QFile::exists(driver.output(file));
+}
+
+void reconstruct(Driver& driver)
+{
+    QString remembered;
+    for (const char* code : {"EPSG:4647", "0", "32632.5"})
+    {
+        QString said;
+        driver.check(!reconstructWith(driver, code, "refused.ifc", remembered, &said),
+                     QString("no model is made in '%1'").arg(code));
+        driver.check(remembered.isEmpty(), "what was refused is not remembered");
+        std::printf("refused %s\n", qPrintable(said));
+    }
+    driver.check(reconstructWith(driver, " 4647 ", "reconstructed.ifc", remembered), "a code is taken");
+    driver.check(exportWith(driver, "", "last.ifc", remembered), "and the model can be exported without");
+    driver.check(remembered == "4647", "where the code is remembered: " + remembered);
+}
+
 void exportIfc(Driver& driver)
 {
-    driver.reconstructQuietly();
+    // Without a file there is nothing to be in a coordinate system.
+    driver.reconstructQuietly(
+        [&driver](QWidget* dialog)
+        {
+            auto* field = dialog->findChild<QLineEdit*>("epsg");
+            driver.check(field && !field->isEnabled(), "without a file the field is not needed");
+            if (field)
+                field->setText("nonsense");
+        });
     if (!driver.model())
         return driver.check(false, "there is a model");
     QString remembered;
@@ -57,6 +118,7 @@ void exportIfc(Driver& driver)
     driver.check(exportWith(driver, "", "placed.ifc", remembered), "and so is none");
     driver.check(remembered == "4647", "a code is remembered: " + remembered);
     driver.check(exportWith(driver, "", "again.ifc", remembered) && remembered.isEmpty(), "as is that there is none");
+    reconstruct(driver);
 }
 
 const Scenario kScenario("export", exportIfc);
