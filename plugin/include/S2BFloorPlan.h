@@ -15,7 +15,8 @@ namespace s2b
 
 	//! The active view from straight above, along the walls, with everything cut above the selected storey's floor
 	/** The storey is that of the selected element, or the lowest of the selected model. A second time goes back to the view
-	    as it was, or on to another storey when one is selected. Only the display changes: no entity does.
+	    as it was, or on to another storey when one is selected. Only the display changes: no entity does. The plan follows
+	    corrections of the model.
 	**/
 	void toggleFloorPlan(ccMainAppInterface& app);
 } // namespace s2b

@@ -4,6 +4,7 @@
 
 #include "core/model/building.h"
 
+#include <functional>
 #include <memory>
 
 class ccHObject;
@@ -13,11 +14,12 @@ class ccShiftedObject;
 namespace s2b
 {
 	//! The outline of each hole that is cut and the pane in it, in the plane of the cut
-	/** Each is drawn only while its window is in the tree of the model, and shown.
+	/** Each is drawn only while its window is in the tree of the model, shown, and where it was.
 	    \param tree      the model's
 	    \param reference gives the global shift and scale
 	    \param cut_m     height of the cut, building frame
-	    \return null without any window there
+	    \param onChange  called while they are drawn, once for each change: something of the model was moved, drawn anew, added or
+	                     deleted, and what is shown is to be made anew, later
 	**/
-	std::unique_ptr<ccHObject> makePlanSymbols(ccMainAppInterface& app, const ccHObject& tree, const Building& building, ElementId storey, const ccShiftedObject& reference, double cut_m);
+	std::unique_ptr<ccHObject> makePlanSymbols(ccMainAppInterface& app, const ccHObject& tree, const Building& building, ElementId storey, const ccShiftedObject& reference, double cut_m, std::function<void()> onChange);
 } // namespace s2b

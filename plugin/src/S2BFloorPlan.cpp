@@ -6,7 +6,9 @@
 #include "S2BPlanSymbols.h"
 #include "S2BView.h"
 
+#include <QMainWindow>
 #include <QPointer>
+#include <QTimer>
 #include <ccGLWindowInterface.h>
 #include <ccMainAppInterface.h>
 #include <ccPointCloud.h>
@@ -23,14 +25,15 @@ namespace s2b
 		//! Where to cut, in the entities' own coordinates
 		struct Cut
 		{
-			unsigned model = 0; //!< unique id
-			QString  storey;
-			double   low     = 0.0;
-			double   high    = 0.0;
-			double   yaw_rad = 0.0;
-			ccBBox   box;
+			unsigned  model = 0; //!< unique id
+			ElementId storeyId;  //!< none of a cloud alone
+			QString   storey;
+			double    low     = 0.0;
+			double    high    = 0.0;
+			double    yaw_rad = 0.0;
+			ccBBox    box;
 
-			std::unique_ptr<ccHObject> symbols; //!< of the windows that are cut; null once the view has them
+			std::unique_ptr<ccHObject> symbols; //!< of the windows that are cut; null once the view has them, and of a cloud alone
 		};
 
 		//! What the plan changed, to be put back
@@ -45,14 +48,10 @@ namespace s2b
 		};
 		std::optional<Plan> currentPlan;
 
-		std::optional<Cut> cutOfModel(ccMainAppInterface& app, const ccHObject& model, const ccHObject* selected)
+		void renewPlan(ccMainAppInterface& app);
+
+		Cut cutOfStorey(ccMainAppInterface& app, const ccHObject& model, const Building& building, const Storey& storey)
 		{
-			const Building building = correctedModel(model);
-			if (building.storeys.empty())
-				return {};
-			const Storey* storey = building.storey(storeyOfEntity(*selected));
-			if (!storey)
-				storey = &building.storeys.front();
 			const auto reference = referenceOf(model);
 			const auto toLocal   = [&](const Eigen::Vector2d& p, double z_m)
 			{
@@ -60,23 +59,37 @@ namespace s2b
 				return reference->toLocal3d(CCVector3d(world.x(), world.y(), world.z()));
 			};
 			Cut cut;
-			cut.model   = model.getUniqueID();
-			cut.storey  = QString::fromStdString(storey->name);
-			cut.low     = toLocal({0, 0}, storey->elevation_m - kBelow_m).z;
-			cut.high    = toLocal({0, 0}, storey->elevation_m + kPlanCut_m).z;
-			cut.yaw_rad = building.frame.yaw_rad;
+			cut.model    = model.getUniqueID();
+			cut.storeyId = storey.id;
+			cut.storey   = QString::fromStdString(storey.name);
+			cut.low      = toLocal({0, 0}, storey.elevation_m - kBelow_m).z;
+			cut.high     = toLocal({0, 0}, storey.elevation_m + kPlanCut_m).z;
+			cut.yaw_rad  = building.frame.yaw_rad;
 			for (const Wall& wall : building.walls)
 			{
 				for (const Eigen::Vector2d& end : {wall.start, wall.end})
 				{
-					if (wall.storey == storey->id)
-						cut.box.add(toLocal(end, storey->elevation_m).toPC());
+					if (wall.storey == storey.id)
+						cut.box.add(toLocal(end, storey.elevation_m).toPC());
 				}
 			}
-			cut.symbols = makePlanSymbols(app, model, building, storey->id, *reference, storey->elevation_m + kPlanCut_m);
+			// Not while something is drawn: neither the tree nor what is drawn may change then.
+			const auto onChange = [&app]
+			{ QTimer::singleShot(0, app.getMainWindow(), [&app]
+				                 { renewPlan(app); }); };
+			cut.symbols = makePlanSymbols(app, model, building, storey.id, *reference, storey.elevation_m + kPlanCut_m, onChange);
 			if (!cut.box.isValid())
 				cut.box = const_cast<ccHObject&>(model).getDisplayBB_recursive(false); // changes nothing, but is not const
 			return cut;
+		}
+
+		std::optional<Cut> cutOfModel(ccMainAppInterface& app, const ccHObject& model, const ccHObject& selected)
+		{
+			const Building building = correctedModel(model);
+			if (building.storeys.empty())
+				return {};
+			const Storey* storey = building.storey(storeyOfEntity(selected));
+			return cutOfStorey(app, model, building, storey ? *storey : building.storeys.front());
 		}
 
 		// Of a cloud alone: above its lowest points.
@@ -129,9 +142,9 @@ namespace s2b
 		// Not in the DB tree: they are neither to be saved nor to be edited.
 		void drawSymbols(Plan& plan)
 		{
+			plan.life = plan.view->asQObject();
 			if (!plan.cut.symbols)
 				return;
-			plan.life    = plan.view->asQObject();
 			plan.symbols = plan.cut.symbols.release();
 			plan.view->addToOwnDB(plan.symbols, false);
 			plan.symbols->setDisplay_recursive(plan.view);
@@ -143,10 +156,41 @@ namespace s2b
 				plan.view->removeFromOwnDB(plan.symbols);
 		}
 
+		// The plan follows corrections of its model: what they drew anew is not cut yet, and windows may be elsewhere. The view
+		// stays where the user has it.
+		void renewPlan(ccMainAppInterface& app)
+		{
+			if (!currentPlan || !currentPlan->life)
+				return;
+			Plan&            plan  = *currentPlan;
+			const ccHObject* model = findEntity(app, plan.cut.model);
+			if (!model)
+				return;
+			try
+			{
+				const Building building = correctedModel(*model);
+				const Storey*  storey   = building.storey(plan.cut.storeyId);
+				if (!storey)
+					return;
+				Cut cut = cutOfStorey(app, *model, building, *storey);
+				unclipAll(app, plan);
+				removeSymbols(plan);
+				plan.cut = std::move(cut);
+				plan.clipped.clear();
+				clipAll(app, plan);
+				drawSymbols(plan);
+				plan.view->redraw();
+			}
+			catch (const std::exception& e) // an element that was tilted, say: nothing is drawn of it
+			{
+				say(app, QString::fromUtf8(e.what()), true);
+			}
+		}
+
 		std::optional<Cut> cutOf(ccMainAppInterface& app, const ccHObject::Container& selection)
 		{
 			if (ccHObject* model = modelOf(selection))
-				return cutOfModel(app, *model, selection.front());
+				return cutOfModel(app, *model, *selection.front());
 			const std::vector<ccPointCloud*> clouds = cloudsOf(selection);
 			return clouds.empty() ? std::nullopt : std::optional<Cut>(cutOfCloud(*clouds.front()));
 		}
