@@ -180,15 +180,18 @@ bool isWallFace(const Face& face, const SurfaceCells& cells, const PlanMask& mas
     return reaches ? face.wallShare > 0.4 : face.wallShare > 0.8 && face.area_m2 > 0.4;
 }
 
-/// A face behind a longer one, where that one has a hole: a pane, frame, leaf or niche within its wall.
-bool isRecessed(const Face& face, const std::vector<Face>& faces)
+/// The longer face that this one lies behind, where that one has a hole: of a pane, frame, leaf or niche within a wall
+/// that wall's face; null of other faces. A strip above panes shows its lintel's underside on the one side and the
+/// room's ceiling on the other: where it can't tell its own side, the pane's is taken.
+const Face* frontOf(const Face& face, const std::vector<Face>& faces)
 {
     for (const Face& front : faces)
     {
-        if (&front == &face || front.side == 0 || std::abs(front.t.dot(face.n())) > 0.03 ||
+        const int side = front.side != 0 ? front.side : face.side;
+        if (&front == &face || side == 0 || std::abs(front.t.dot(face.n())) > 0.03 ||
             front.length() < 1.2 * face.length())
             continue;
-        const double behind = (front.offset - face.offset) * front.side;
+        const double behind = (front.offset - face.offset) * side;
         if (behind < 0.015 || behind > 0.5 ||
             std::min(front.end, face.end) - std::max(front.begin, face.begin) < 0.8 * face.length())
             continue;
@@ -205,9 +208,9 @@ bool isRecessed(const Face& face, const std::vector<Face>& faces)
             missing += 10 * std::popcount(rows & face.rows[b]) < 4 * std::popcount(face.rows[b]) && rows > face.rows[b];
         }
         if (bins > 0 && 2 * missing > bins)
-            return true;
+            return &front;
     }
-    return false;
+    return nullptr;
 }
 
 /// Was another face scanned from the other side, a wall's thickness behind this one?
@@ -250,12 +253,26 @@ std::vector<Face> findFaces(const SurfaceCells& cells, const Level& level, const
     for (Face& f : faces)
         f.isLow = !reachesCeiling(f, mask);
     findSides(faces, mask, params.mergeOffset_m);
-    std::vector<Face> kept;
+    std::vector<int> side;
+    std::vector<char> isRecessed(faces.size(), 0);
     for (const Face& f : faces)
-        if (!isRecessed(f, faces) && (cells.labelsAreSure() || !isOutside(f, mask) || hasOtherSide(f, faces, params)))
+        side.push_back(f.side);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        if (const Face* front = frontOf(faces[i], faces))
+        {
+            isRecessed[i] = 1;
+            if (front->side == 0)
+                side[static_cast<std::size_t>(front - faces.data())] = faces[i].side;
+        }
+    std::vector<Face> kept;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+        Face& f = faces[i];
+        f.side = side[i];
+        if (!isRecessed[i] && (cells.labelsAreSure() || !isOutside(f, mask) || hasOtherSide(f, faces, params)))
             kept.push_back(f);
-    faces = std::move(kept);
-    return faces;
+    }
+    return kept;
 }
 
 }  // namespace s2b

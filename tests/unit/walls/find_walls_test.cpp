@@ -247,6 +247,33 @@ TEST_P(WallsWithAndWithoutLabels, TakeNothingFarBeyondAWindowForItsReveal)
 }
 
 }  // namespace
+TEST(FindWalls, KeepTheirFaceAboveAGlazedFront)
+{
+    // Of the first room's northern face only a strip of 12 cm and narrow piers are left: panes 0.35 m behind it reach
+    // from the floor to a head so near to the ceiling that it looks like one. The second room's northern face is whole.
+    constexpr double sill = 0.15, head = 2.48;
+    HandMadeCloud cloud(0.015);
+    test::RoomGaps gaps;
+    for (const auto& [left, right] : {std::pair(0.2, 4.6), std::pair(4.8, 5.8)})
+    {
+        gaps.north.push_back({left, right, sill, head});
+        cloud.wallFace({left, 4.35}, {right, 4.35}, sill, head, Label::Window);
+        cloud.horizontal({left, 4}, {right, 4.35}, head, Label::Wall);
+        cloud.horizontal({left, 4}, {right, 4.35}, sill, Label::Wall);
+        for (const double x : {left, right})
+            cloud.wallFace({x, 4}, {x, 4.35}, sill, head, Label::Wall);
+    }
+    cloud.room({0, 0}, {6, 4}, 0, 2.6, gaps);
+    cloud.room({6.2, 0}, {9, 4}, 0, 2.6);
+    const auto result = storeyOf(cloud, false);
+    for (const double x : {3.0, 7.5})
+    {
+        const Wall* front = wallThrough(result.walls.walls, {x, 4.15}, Eigen::Vector2d::UnitX());
+        ASSERT_NE(front, nullptr) << "at " << x;
+        EXPECT_NEAR(test::distanceToLine(*front, {x, 2.0}) - front->thickness.value_m / 2, 2.0, 0.002) << "at " << x;
+    }
+}
+
 TEST(FindWalls, KeepsALowWallLow)
 {
     HandMadeCloud cloud;
