@@ -25,9 +25,17 @@ void setThickness(WallBody& b, double thickness, ThicknessSource source)
         b.low = b.high - thickness;
 }
 
-/// Depths behind the face of a one-sided body at which opening surfaces (jambs, sills, heads, frames, panes) were seen.
-std::optional<double> revealDepth(const WallBody& body, const SurfaceCells& cells, const CellIndex& index,
-                                  const Level& level, const WallParams& params)
+constexpr double kSeenPast = 0.08;  // of the reveal's density: less is stray
+
+/// How far behind the face of a one-sided body opening surfaces (jambs, sills, heads, frames, panes) were seen.
+struct Reveal
+{
+    double most_m = 0.0;  ///< 97 % of them: without labels up to the frame
+    double end_m = 0.0;   ///< the little that is seen past the frame, through the glass
+};
+
+std::optional<Reveal> revealOf(const WallBody& body, const SurfaceCells& cells, const CellIndex& index,
+                               const Level& level, const WallParams& params)
 {
     const double face = body.lowSeen ? body.low : body.high, sign = body.lowSeen ? 1.0 : -1.0;
     const Eigen::Vector2d n = body.n();
@@ -64,20 +72,19 @@ std::optional<double> revealDepth(const WallBody& body, const SurfaceCells& cell
     const double area = total * cells.size_m * cells.size_m;
     if (area < 0.08)
         return std::nullopt;
-    // The depth that 97 % of it does not exceed.
+    Reveal reveal;
     double sum = 0;
-    for (std::size_t i = 0; i < histogram.size(); ++i)
-    {
-        sum += histogram[i];
-        if (sum < 0.97 * total)
-            continue;
-        const double depth = (static_cast<double>(i) + 1) * bin;
-        // A reveal ends somewhere; what goes on past the thickest wall is another room, or the world outside.
-        if (depth > params.maximumThickness_m - 0.05 && beyond > 0.1 * total)
-            return std::nullopt;
-        return depth;
-    }
-    return std::nullopt;
+    for (std::size_t i = 0; i < histogram.size() && reveal.most_m == 0.0; ++i)
+        if ((sum += histogram[i]) >= 0.97 * total)
+            reveal.most_m = (static_cast<double>(i) + 1) * bin;
+    // A reveal ends somewhere; what goes on past the thickest wall is another room, or the world outside.
+    if (reveal.most_m > params.maximumThickness_m - 0.05 && beyond > 0.1 * total)
+        return std::nullopt;
+    const double fewest = std::max(4.0, kSeenPast * 2 * total / (reveal.most_m / bin));
+    for (std::size_t i = 1; i < histogram.size(); ++i)
+        if (histogram[i - 1] + histogram[i] >= fewest)
+            reveal.end_m = (static_cast<double>(histogram[i] > 0 ? i : i - 1) + 1) * bin;
+    return reveal;
 }
 
 double weightedMedian(std::vector<std::pair<double, double>> values)
@@ -149,27 +156,39 @@ void settleThickness(std::vector<WallBody>& bodies, const SurfaceCells& cells, c
     std::vector<WallBody*> externalOpen, internalOpen, externalRevealed;
     for (WallBody* b : open)
     {
-        const std::optional<double> depth = revealDepth(*b, cells, index, level, params);
+        const std::optional<Reveal> reveal = revealOf(*b, cells, index, level, params);
         const bool outside = isExternal(*b);
-        if (depth)
+        if (reveal)
         {
-            setThickness(*b, std::max(*depth, params.minimumThickness_m), ThicknessSource::Reveals);
+            const double depth = outside && !cells.labelsAreSure() ? reveal->end_m : reveal->most_m;
+            setThickness(*b, std::max(depth, params.minimumThickness_m), ThicknessSource::Reveals);
             if (outside)
             {
-                revealed.emplace_back(*depth, b->end - b->begin);
+                revealed.emplace_back(depth, b->end - b->begin);
                 externalRevealed.push_back(b);
             }
         }
         else
             (outside ? externalOpen : internalOpen).push_back(b);
     }
-    // A reveal is seen up to a frame at most: the deepest one of the kind tells the thickness best.
     double deepest = 0;
-    for (const auto& [depth, length] : revealed)
-        deepest = std::max(deepest, depth);
-    for (WallBody* b : externalRevealed)
-        if (b->thickness() > 0.75 * deepest)
-            setThickness(*b, deepest, ThicknessSource::Reveals);
+    if (cells.labelsAreSure())
+    {
+        // A reveal is seen up to a frame at most: the deepest one of the kind tells the thickness best.
+        for (const auto& [depth, length] : revealed)
+            deepest = std::max(deepest, depth);
+        for (WallBody* b : externalRevealed)
+            if (b->thickness() > 0.75 * deepest)
+                setThickness(*b, deepest, ThicknessSource::Reveals);
+    }
+    else if (!revealed.empty())
+    {
+        // One may hide behind its frame, or go on with a leaf that stands open: what most of the kind say.
+        deepest = weightedMedian(revealed);
+        for (WallBody* b : externalRevealed)
+            if (b->thickness() > 0.5 * deepest && b->thickness() < 1.5 * deepest)
+                setThickness(*b, deepest, ThicknessSource::Reveals);
+    }
     const double internalThickness = internal.empty() ? params.defaultThickness_m : weightedMedian(internal);
     // Without labels a reveal may end at a pane in the middle of the wall; an external wall is no thinner than the
     // others.

@@ -247,6 +247,39 @@ TEST_P(WallsWithAndWithoutLabels, TakeNothingFarBeyondAWindowForItsReveal)
 }
 
 }  // namespace
+TEST(FindWalls, GoBehindTheFramesOfWindowsForTheirThickness)
+{
+    // Four windows 0.2 m behind the faces; past their frames a little of the outer reveals is seen through the glass,
+    // up to 0.3 m. Through the southern one a leaf that stands open outside goes on to 0.42 m.
+    constexpr double frame = 0.2, thickness = 0.3, leaf = 0.42;
+    HandMadeCloud cloud(0.015);
+    const test::Gap gap{1.0, 2.0, 0.9, 2.1};
+    test::RoomGaps gaps;
+    gaps.south = gaps.north = gaps.west = gaps.east = {gap};
+    cloud.room({0, 0}, {4, 3}, 0, 2.6, gaps);
+    const auto reveal = [&](const Eigen::Vector2d& corner, const Eigen::Vector2d& along, const Eigen::Vector2d& out)
+    {
+        for (const double s : {gap.uBegin, gap.uEnd})
+        {
+            const Eigen::Vector2d jamb = corner + s * along;
+            cloud.wallFace(jamb, jamb + frame * out, gap.vBegin, gap.vEnd);
+            cloud.wallFace(jamb + (frame + 0.06) * out, jamb + thickness * out, gap.vBegin, gap.vBegin + 0.3);
+        }
+        const Eigen::Vector2d pane = corner + frame * out;
+        cloud.wallFace(pane + gap.uBegin * along, pane + gap.uEnd * along, gap.vBegin, gap.vEnd);
+    };
+    const Eigen::Vector2d x = Eigen::Vector2d::UnitX(), y = Eigen::Vector2d::UnitY();
+    reveal({0, 0}, x, -y), reveal({0, 3}, x, y), reveal({0, 0}, y, -x), reveal({4, 0}, y, x);
+    cloud.wallFace({1.0, -thickness}, {1.0, -leaf}, gap.vBegin, gap.vEnd);
+    const auto result = storeyOf(cloud, false);
+    ASSERT_EQ(result.walls.walls.size(), 4u);
+    for (const Wall& w : result.walls.walls)
+    {
+        EXPECT_NEAR(w.thickness.value_m, thickness, 0.015);
+        EXPECT_EQ(w.thickness.provenance, Provenance::Assumed);
+    }
+}
+
 TEST(FindWalls, KeepTheirFaceAboveAGlazedFront)
 {
     // Of the first room's northern face only a strip of 12 cm and narrow piers are left: panes 0.35 m behind it reach
