@@ -151,7 +151,7 @@ void S2BLevelPage::start()
 		                                      {
 			                                      s2b::Context context;
 			                                      context.cancel = work->stop.get_token();
-			                                      const s2b::Input input = s2b::makeInput(clouds, request.labels);
+			                                      const s2b::Input input = s2b::makeInput(clouds, request.labels, {}, context);
 			                                      work->survey           = s2b::surveyLevels(input.view, request.options, context);
 			                                      work->isDone           = true;
 		                                      }
