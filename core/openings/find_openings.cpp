@@ -133,7 +133,7 @@ std::vector<Candidate> candidatesOf(const Wall& wall, const SurfaceCells& cells,
         add(h, leaf.leafState == LeafState::Open || isEmptyDoor(h, params) ? OpeningKind::Door : OpeningKind::Plain);
     }
     if (!cells.hasLabels || cells.hasGuesses)
-        for (const Hole& h : recessedHoles(view, taken, params.minimumWindowWidth_m, params.maximumDoorWidth_m + 2.0,
+        for (const Hole& h : recessedHoles(view, taken, params.minimumWindowWidth_m, params.maximumWindowWidth_m,
                                            params.minimumWindowHeight_m))
             if (std::none_of(taken.begin(), taken.end(), [&](const Hole& k) { return k.overlaps(h); }))
                 add(h, isDoorShaped(h, params) ? OpeningKind::Door : OpeningKind::Window);

@@ -182,8 +182,7 @@ std::vector<Hole> recessedHoles(const WallView& view, const std::vector<Hole>& t
             trimHidden(r, g);
             const double width = (g.x1 - g.x0) * r.step, height = (g.y1 - g.y0) * r.step;
             const double fill = static_cast<double>(g.squares.size()) / std::max(1, (g.x1 - g.x0) * (g.y1 - g.y0));
-            if (width < minimumWidth_m || width > maximumWidth_m || height < minimumHeight_m || fill < 0.7 ||
-                g.x0 == 0 || g.x1 == r.columns)
+            if (width < minimumWidth_m || width > maximumWidth_m || height < minimumHeight_m || fill < 0.7)
                 continue;
             // A shadow has nothing behind it; a hole shows its reveals, frame, pane or leaf, on most of its sides.
             int sides = 0;
@@ -200,6 +199,9 @@ std::vector<Hole> recessedHoles(const WallView& view, const std::vector<Hole>& t
                                         head = headNear(view, h.begin + 0.05, h.end - 0.05, h.top);
             // Furniture hides one face and leaves the other; only a hole has jambs and a head.
             if (begin.has_value() + end.has_value() + head.has_value() < 2)
+                continue;
+            // At the wall's end the face may just not have been seen.
+            if ((g.x0 == 0 || g.x1 == r.columns) && !(begin && end && head))
                 continue;
             h.begin = begin.value_or(faceEdge(view, h.begin, true, low, high));
             h.end = end.value_or(faceEdge(view, h.end, false, low, high));

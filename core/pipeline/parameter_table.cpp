@@ -74,6 +74,7 @@ const std::vector<ParameterInfo>& parameterTable()
         row<&P::openings, &OpeningParams::maximumDoorWidth_m>("openings.maximumDoorWidth", "m", 0.5, 20, "Wider openings are no doors.", "practice: above a double garage door's leaf pair"),
         row<&P::openings, &OpeningParams::minimumDoorHeight_m>("openings.minimumDoorHeight", "m", 0.5, 5, "Lower openings are no doors.", "practice: below the lowest common door (DIN 18101: 1.985 m), seen above a step or rubble"),
         row<&P::openings, &OpeningParams::minimumWindowWidth_m>("openings.minimumWindowWidth", "m", 0.05, 5, "Narrower openings are no windows.", "practice"),
+        row<&P::openings, &OpeningParams::maximumWindowWidth_m>("openings.maximumWindowWidth", "m", 0.5, 50, "Wider recesses are no windows; labelled ones may be wider.", "practice: a glazed front along a large room"),
         row<&P::openings, &OpeningParams::minimumWindowHeight_m>("openings.minimumWindowHeight", "m", 0.05, 5, "Lower openings are no windows.", "practice"),
         row<&P::openings, &OpeningParams::minimumEmptyDoorWidth_m>("openings.minimumEmptyDoorWidth", "m", 0.2, 5, "Narrowest hole without leaf and frame that counts as a door.", "DIN 18100: structural openings from 0.625 m, less what a lining takes"),
         row<&P::openings, &OpeningParams::maximumEmptyDoorWidth_m>("openings.maximumEmptyDoorWidth", "m", 0.2, 10, "Widest hole without leaf and frame that counts as a door; a wider one is a plain opening.", "DIN 18100: openings for one leaf up to 1.25 m, and 0.1 m of tolerance"),

@@ -175,6 +175,23 @@ TEST(Openings, FindTheWindowBehindFurniture)
     EXPECT_NEAR(window.sill.value_m + window.height.value_m, hole.head, kEdge_m);
 }
 
+TEST(Openings, FindAWindowNextToACorner)
+{
+    // The pier between the window and the corner is narrower than the squares that faces are seen in.
+    const HoleInPartition hole{0.03, 1.4, 0.9, 2.2};
+    HandMadeCloud cloud;
+    RoomGaps gaps;
+    gaps.east = {{hole.y, hole.y + hole.width, hole.sill, hole.head}};
+    cloud.room({0, 0}, {4, 3}, 0, 2.6, gaps);
+    hole.addReveals(cloud);
+    hole.addPanel(cloud, Label::Unassigned);
+    const auto r = storeyOf(cloud, false);
+    ASSERT_EQ(r.openings.openings.size(), 1u);
+    EXPECT_EQ(r.openings.openings[0].kind, OpeningKind::Window);
+    EXPECT_NEAR(r.openings.openings[0].width.value_m, hole.width, 2 * kEdge_m);
+    EXPECT_NEAR(r.openings.openings[0].sill.value_m, hole.sill, kEdge_m);
+}
+
 TEST(Openings, FindADoorWhoseLeafIsGone)
 {
     const HoleInPartition hole;
