@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 namespace s2b
@@ -79,7 +80,8 @@ std::vector<Candidate> candidatesOf(const Wall& wall, const SurfaceCells& cells,
     WallView view = viewWall(wall, cells, index, params.leafReach_m);
     view.through = SeenThrough(wall, sightlines);
     std::vector<Hole> taken;
-    const auto add = [&](const Hole& h, OpeningKind kind)
+    // The leaf closes what is clear between the frame's jambs.
+    const auto add = [&](const Hole& h, OpeningKind kind, const std::optional<Hole>& clear = {})
     {
         taken.push_back(h);
         if (!kinds.contains(kind))
@@ -87,7 +89,7 @@ std::vector<Candidate> candidatesOf(const Wall& wall, const SurfaceCells& cells,
         Candidate c{openingOf(h, kind, wall), &wall};
         if (kind == OpeningKind::Door)
         {
-            findLeaf(c.opening, view, h);
+            findLeaf(c.opening, view, clear.value_or(h));
             if (h.labelShare == 0 && h.points == 0 && c.opening.leafState == LeafState::Unknown)
                 c.opening.leafState = LeafState::Removed;
         }
@@ -130,13 +132,17 @@ std::vector<Candidate> candidatesOf(const Wall& wall, const SurfaceCells& cells,
             continue;
         Opening leaf;
         findLeaf(leaf, view, h);
-        add(h, leaf.leafState == LeafState::Open || isEmptyDoor(h, params) ? OpeningKind::Door : OpeningKind::Plain);
+        const bool isDoor = leaf.leafState == LeafState::Open || isEmptyDoor(h, params);
+        Hole whole = !cells.labelsAreSure() && isDoor ? grownToFaces(view, h) : h;
+        whole.bottom = h.bottom;
+        add(whole, isDoor ? OpeningKind::Door : OpeningKind::Plain, h);
     }
     if (!cells.hasLabels || cells.hasGuesses)
         for (const Hole& h : recessedHoles(view, taken, params.minimumWindowWidth_m, params.maximumWindowWidth_m,
                                            params.minimumWindowHeight_m))
             if (std::none_of(taken.begin(), taken.end(), [&](const Hole& k) { return k.overlaps(h); }))
-                add(h, isDoorShaped(h, params) ? OpeningKind::Door : OpeningKind::Window);
+                isDoorShaped(h, params) ? add(grownToFaces(view, h), OpeningKind::Door, h)
+                                        : add(h, OpeningKind::Window);
     return candidates;
 }
 

@@ -192,6 +192,29 @@ TEST(Openings, FindAWindowNextToACorner)
     EXPECT_NEAR(r.openings.openings[0].sill.value_m, hole.sill, kEdge_m);
 }
 
+TEST(Openings, MeasureADoorWithItsFrame)
+{
+    // A frame of 5 cm all around leaves a clear way of 0.8 m by 2.05 m; the faces end about the frame.
+    const HoleInPartition hole;
+    constexpr double frame = 0.05, front = 4.05, back = 4.15;
+    HandMadeCloud cloud = hole.cloud();
+    const double left = hole.y + frame, right = hole.y + hole.width - frame, top = hole.head - frame;
+    for (const double x : {front, back})
+    {
+        cloud.wallFace({x, hole.y}, {x, left}, 0.0, hole.head, Label::Unassigned);
+        cloud.wallFace({x, right}, {x, hole.y + hole.width}, 0.0, hole.head, Label::Unassigned);
+        cloud.wallFace({x, left}, {x, right}, top, hole.head, Label::Unassigned);
+    }
+    for (const double y : {left, right})
+        cloud.wallFace({front, y}, {back, y}, 0.0, top, Label::Unassigned);
+    cloud.horizontal({front, left}, {back, right}, top, Label::Unassigned);
+    cloud.horizontal({4, left}, {4.2, right}, 0.0, Label::Floor);
+    const auto r = storeyOf(cloud, false);
+    ASSERT_EQ(r.openings.openings.size(), 1u);
+    EXPECT_EQ(r.openings.openings[0].kind, OpeningKind::Door);
+    expectHole(r, r.openings.openings[0], hole);
+}
+
 TEST(Openings, FindADoorWhoseLeafIsGone)
 {
     const HoleInPartition hole;
