@@ -27,6 +27,9 @@ void drawLineLaser(Variety& v, Random& random)
     scan.rangeStep_m = random.chance(0.5) ? 0.01 : 0.0;
     scan.rangeMax_m = random.uniform(8.0, 30.0);
     scan.voxel_m = random.chance(0.7) ? 0.005 : random.uniform(0.02, 0.05);
+    // It stands by eye, and its mirror is not where it should be.
+    scan.tilt_deg = random.chance(0.7) ? random.uniform(0.0, 1.5) : 0.0;
+    scan.warp_m = random.chance(0.6) ? random.uniform(0.0, 0.05) : 0.0;
     scan.mostStations = random.chance(0.65) ? 1 : 2 + static_cast<unsigned>(random.below(3));
     v.outside = false;
 }

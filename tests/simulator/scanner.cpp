@@ -7,6 +7,8 @@
 #include "tests/simulator/ray_caster.h"
 #include "tests/simulator/voxel_set.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -36,6 +38,8 @@ void check(const ScanSettings& s)
     require(s.step_deg >= 0.01 && s.step_deg <= 10.0, "the angular step must be 0.01 to 10 degrees");
     require(s.lineStep_deg == 0.0 || (s.lineStep_deg >= 0.01 && s.lineStep_deg <= 10.0),
             "the step between lines must be 0 (as between rays) or 0.01 to 10 degrees");
+    require(std::abs(s.tilt_deg) <= 20.0 && std::abs(s.warp_m) <= 1.0,
+            "the tilt must be at most 20 degrees and the warp at most 1 m");
     require(s.rangeStep_m >= 0.0 && s.rangeStep_m <= 1.0, "the step of the range must be 0 to 1 m");
     require(s.elevationMin_deg >= -90.0 && s.elevationMin_deg < 90.0, "the lowest elevation must be -90 to 90 degrees");
     require(s.rangeMin_m >= 0.0 && s.rangeMax_m > s.rangeMin_m, "the range limits must be ascending and not negative");
@@ -80,8 +84,17 @@ public:
           m_index(index),
           m_step(radians(settings.step_deg) * (station.storey < 0 ? kOutsideCoarser : 1.0)),
           m_lowest(radians(settings.elevationMin_deg)),
-          m_phase(Random{settings.seed, 0x94a5e, index}.uniform(0.0, 2.0 * std::numbers::pi))
+          m_phase(Random{settings.seed, 0x94a5e, index}.uniform(0.0, 2.0 * std::numbers::pi)),
+          m_tilt(Eigen::Matrix3f::Identity())
     {
+        Random random{settings.seed, 0x711, index};
+        const double about = random.uniform(0.0, 2.0 * std::numbers::pi);
+        if (settings.tilt_deg != 0.0)
+            m_tilt =
+                Eigen::AngleAxisd(radians(settings.tilt_deg), Eigen::Vector3d(std::cos(about), std::sin(about), 0.0))
+                    .toRotationMatrix()
+                    .cast<float>();
+        m_warpPhase = random.uniform(0.0, 2.0 * std::numbers::pi);
     }
 
     [[nodiscard]] std::size_t rings() const
@@ -98,7 +111,7 @@ public:
         const double step = isLineLaser ? radians(m_settings.lineStep_deg) : m_step / std::cos(elevation);
         const auto count = std::max<std::size_t>(8, static_cast<std::size_t>(2.0 * std::numbers::pi / step));
         const double jitter = isLineLaser ? 0.05 : 0.25;
-        std::vector<Eigen::Vector3f> directions(count);
+        std::vector<Eigen::Vector3f> directions(count);  // in the world: what the scanner takes for upright may lean
         std::vector<Return> returns(count);
         std::vector<Random> random;
         random.reserve(count);
@@ -108,9 +121,9 @@ public:
             Random& r = random.back();
             const double azimuth = m_phase + (static_cast<double>(i) + r.uniform(-jitter, jitter)) * 2.0 *
                                                  std::numbers::pi / static_cast<double>(count);
-            directions[i] = Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth),
-                                            std::cos(elevation) * std::sin(azimuth), std::sin(elevation))
-                                .cast<float>();
+            directions[i] = m_tilt * Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth),
+                                                     std::cos(elevation) * std::sin(azimuth), std::sin(elevation))
+                                         .cast<float>();
             returns[i] = shoot(directions[i], r);
         }
         for (std::size_t i = 0; i < count; ++i)
@@ -189,7 +202,12 @@ private:
         range += sigma * random.gaussian();
         if (m_settings.rangeStep_m > 0.0)
             range = std::round(range / m_settings.rangeStep_m) * m_settings.rangeStep_m;
-        const Eigen::Vector3f point = m_from + direction * static_cast<float>(range);
+        const Eigen::Vector3f own = m_tilt.transpose() * direction;
+        if (m_settings.warp_m != 0.0)
+            range += m_settings.warp_m * 0.5 *
+                     (std::sin(2.0 * std::atan2(own.y(), own.x()) + m_warpPhase) +
+                      std::sin(4.0 * std::asin(std::clamp(own.z(), -1.0F, 1.0F)) + 2.0 * m_warpPhase));
+        const Eigen::Vector3f point = m_from + own * static_cast<float>(range);
 
         const Surface& surface = m_scene.surfaces[hit.triangle];
         Label label = isMixed ? Label::Unassigned : surface.label;
@@ -236,6 +254,8 @@ private:
     double m_step;
     double m_lowest;
     double m_phase;
+    double m_warpPhase = 0.0;
+    Eigen::Matrix3f m_tilt;
 };
 
 }  // namespace

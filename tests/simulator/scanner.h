@@ -28,6 +28,8 @@ struct ScanSettings
     double lineStep_deg = 0.0;  ///< between upright lines, as many at the zenith as anywhere: a line laser that is
                                 ///< turned; [0.01, 10], 0 = step_deg, fewer towards the zenith
     double rangeStep_m = 0.0;   ///< the range is rounded to it
+    double tilt_deg = 0.0;      ///< of each set-up against the plumb, in a direction that is drawn
+    double warp_m = 0.0;        ///< most that ranges are wrong by, smoothly over the sphere: walls seem bent
     unsigned mostStations = 0;  ///< stations near each other, drawn from those chosen; 0 = all
     double elevationMin_deg = -60.0;  ///< below that the tripod is in the way
     double rangeMin_m = 0.4;

@@ -100,15 +100,18 @@ public:
 
     std::vector<Prop> furnish()
     {
+        // Some buildings are full of furniture: little is seen of the lower half of their walls.
+        Random crowd{m_spec.seed, 0x7f1};
+        const double density = crowd.chance(0.3) ? crowd.uniform(1.5, 4.0) : 1.0;
         std::size_t index = 0;
         for (const Room& room : m_plan.rooms)
         {
             Random random{m_spec.seed, 0x7f0, m_plan.storeyIndex(), index++};
             if (room.kind == RoomKind::Stair || room.kind == RoomKind::Cubicle)
                 continue;
-            const int pieces =
-                static_cast<int>(m_plan.building().spaces[room.space].area_m2 / 6.0 * random.uniform(0.0, 1.5));
-            for (int i = 0; i < std::min(pieces, 12); ++i)
+            const int pieces = static_cast<int>(m_plan.building().spaces[room.space].area_m2 / 6.0 * density *
+                                                random.uniform(0.0, 1.5));
+            for (int i = 0; i < std::min(pieces, 16); ++i)
                 alongWall(room, random);
             for (int i = 0; i < std::min(pieces / 2, 4); ++i)
                 inTheRoom(room, random);

@@ -2,6 +2,8 @@
 #include "core/base/error.h"
 #include "tests/simulator/scanner.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,6 +13,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <utility>
 
 namespace s2b::sim
 {
@@ -333,6 +336,35 @@ TEST(Scan, RoundsTheRange)
     const Eigen::Vector3d at(2.0, 2.0, 1.5);
     for (const Eigen::Vector3f& p : scan(makeScene(makeBuilding(oneRoom())), {{at, 0}}, settings).points)
         ASSERT_NEAR(std::remainder((p.cast<double>() - at).norm(), 0.05), 0.0, 1e-5);
+}
+
+TEST(Scan, ATiltedSetUpGivesALeaningRoomAndAWarpABentOne)
+{
+    const Scene scene = makeScene(makeBuilding(oneRoom()));
+    // Normal of the floor's best plane, and the RMS distance from it.
+    const auto floorOf = [&](const ScanSettings& settings)
+    {
+        const Survey survey = scan(scene, {{{2.0, 2.0, 1.5}, 0}}, settings);
+        Eigen::MatrixX3d points(static_cast<Eigen::Index>(count(survey, Label::Floor)), 3);
+        Eigen::Index row = 0;
+        for (std::size_t i = 0; i < survey.size(); ++i)
+            if (survey.labels[i] == Label::Floor)
+                points.row(row++) = survey.points[i].cast<double>().transpose();
+        points.rowwise() -= points.colwise().mean().eval();
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(points.transpose() * points);
+        return std::pair{Eigen::Vector3d(solver.eigenvectors().col(0)),
+                         std::sqrt(std::max(0.0, solver.eigenvalues()[0]) / static_cast<double>(row))};
+    };
+    ScanSettings settings = coarse();
+    settings.noise_m = settings.mixedPixels = 0.0;
+    settings.tilt_deg = 5.0;
+    const auto [leaning, flat] = floorOf(settings);
+    EXPECT_NEAR(std::acos(std::abs(leaning.z())) * 180.0 / std::numbers::pi, 5.0, 0.01);
+    EXPECT_LT(flat, 1e-4);
+    settings.tilt_deg = 0.0;
+    settings.warp_m = 0.05;
+    EXPECT_GT(floorOf(settings).second, 0.003);
+    EXPECT_LT(floorOf(settings).second, 0.05);
 }
 
 TEST(Scan, FewStationsAreNeighboursWithinTheBuilding)
