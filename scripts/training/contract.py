@@ -11,6 +11,8 @@ FEATURES = {"height": (0.0, 2.0), "depth": (0.0, 2.0), "normal_x": (0.0, 1.0), "
             "plane_run_up": (0.0, 2.0), "plane_run_down": (0.0, 2.0), "plane_top": (0.0, 2.0),
             "plane_bottom": (0.0, 2.0)}
 CELL_M = 0.03
+PLAN_LOW_M = -0.3  # lower edge of the lowest bin above the floor
+BIN_M = 0.2
 
 
 def metadata(note=""):
@@ -23,8 +25,8 @@ def metadata(note=""):
         "s2b.scale": ",".join(f"{s:g}" for _, s in FEATURES.values()),
         "s2b.output": "logits",
         "s2b.plan_pixel_m": "0.2",
-        "s2b.plan_low_m": "-0.3",
-        "s2b.plan_bin_m": "0.2",
+        "s2b.plan_low_m": f"{PLAN_LOW_M}",
+        "s2b.plan_bin_m": f"{BIN_M}",
         "s2b.plan_bins": f"{BINS}",
         "s2b.plan_channels": ",".join(PLAN_CHANNELS),
         "s2b.plan_multiple": f"{ALIGN}",

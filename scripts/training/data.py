@@ -5,7 +5,8 @@ import pathlib
 import numpy as np
 import torch
 
-from network import ALIGN, AREAS, BINS, CHANNELS
+from contract import BIN_M, FEATURES, PLAN_LOW_M
+from network import ALIGN, AREAS, BINS, CHANNELS, PLAN_CHANNELS
 
 
 class Storey:
@@ -55,8 +56,45 @@ def load(folder):
     return surveys
 
 
-def crop(storey, size, cells_at_most, rng):
-    """A random square about a cell, turned and mirrored at random; some have a hole, as a partial scan."""
+def feature(*names):
+    return [list(FEATURES).index(name) for name in names]
+
+
+SCALES = np.array([scale for _, scale in FEATURES.values()], np.float32)
+HEIGHT, NORMAL_Z, RUN_DOWN, BOTTOM = feature("height", "normal_z", "plane_run_down", "plane_bottom")
+RUNS = feature("plane_run_up", "plane_run_down")
+STRENGTHS = feature("plane_strength", "plane_own", "plane_upper_strength")
+
+
+def hide_below(raster, cells, x, y, size, rng):
+    """Upright surfaces in a part of the square are hidden up to a height, as by furniture. Which cells are left."""
+    first = int(rng.integers(3, 9))  # bins
+    height = PLAN_LOW_M + BIN_M * first
+    w, h = rng.integers(size // 4, size + 1, 2)
+    x0, y0 = rng.integers(0, size - w + 1), rng.integers(0, size - h + 1)
+    layers = raster.reshape(-1, BINS, size, size)
+    for channel, name in enumerate(PLAN_CHANNELS):
+        if name != "level":
+            layers[channel, :first, y0:y0 + h, x0:x0 + w] = 0
+    above = cells[:, HEIGHT] * SCALES[HEIGHT] - height
+    hit = (x >= x0) & (x < x0 + w) & (y >= y0) & (y < y0 + h) & (cells[:, NORMAL_Z] < 0.5)
+    run, bottom = cells[:, RUN_DOWN], cells[:, BOTTOM]
+    run[hit] = np.minimum(run, np.maximum(above, 0.0) / SCALES[RUN_DOWN])[hit]
+    bottom[hit & (run > 0)] = np.maximum(bottom, height / SCALES[BOTTOM])[hit & (run > 0)]
+    return ~(hit & (above < 0))
+
+
+def thin(raster, cells, rng):
+    """The square as a scanner with fewer rays would see it: less area, shorter runs without a gap."""
+    share = np.float32(np.exp(rng.uniform(np.log(0.12), 0.0)))
+    raster[:AREAS] *= share
+    cells[:, STRENGTHS] *= share
+    cells[:, RUNS] *= np.float32(rng.uniform(0.4, 1.0))
+
+
+def crop(storey, size, cells_at_most, rng, harder=False):
+    """A random square about a cell, turned and mirrored at random; some have a hole, as a partial scan.
+    `harder`: some are partly hidden or thin, too."""
     n = len(storey.labels)
     # Rare classes are looked for: a random cell of a random class every second time.
     if rng.random() < 0.5:
@@ -81,6 +119,12 @@ def crop(storey, size, cells_at_most, rng):
         index = np.sort(rng.choice(index, cells_at_most, replace=False))
     cells = np.asarray(storey.cells[index], np.float32)
     x, y, z = (storey.places[index].astype(np.int64) - [x0, y0, 0]).T
+    labels = storey.labels[index].astype(np.int64)
+    if harder and rng.random() < 0.2:
+        left = hide_below(raster, cells, x, y, size, rng)
+        cells, labels, x, y, z = cells[left], labels[left], x[left], y[left], z[left]
+    if harder and rng.random() < 0.3:
+        thin(raster, cells, rng)
     by_axis = raster.reshape(-1, BINS, size, size)  # a view: facing x, y, level, rest, place x, place y
     if rng.random() < 0.5:  # mirrored in x
         by_axis = by_axis[..., ::-1]
@@ -100,13 +144,13 @@ def crop(storey, size, cells_at_most, rng):
     raster = np.ascontiguousarray(by_axis).reshape(CHANNELS, size, size)
     # Surfaces are scanned more or less densely.
     raster[:AREAS] *= np.float32(np.exp(rng.normal(0.0, 0.2)))
-    return raster, cells, np.stack([x, y, z], 1), storey.labels[index].astype(np.int64)
+    return raster, cells, np.stack([x, y, z], 1), labels
 
 
-def batch(storeys, count, size, cells_at_most, rng):
+def batch(storeys, count, size, cells_at_most, rng, harder=False):
     rasters, cells, places, labels = [], [], [], []
     while len(rasters) < count:
-        r, c, p, l = crop(storeys[rng.integers(0, len(storeys))], size, cells_at_most, rng)
+        r, c, p, l = crop(storeys[rng.integers(0, len(storeys))], size, cells_at_most, rng, harder)
         if len(l) < 200:
             continue
         places.append(np.column_stack([np.full(len(p), len(rasters), np.int64), p]))

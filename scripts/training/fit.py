@@ -21,7 +21,7 @@ def class_weights(storeys):
 
 
 def fit(storeys, steps, seed, checkpoint, network=None, batch_size=4, size=64, cells=6000, rate=3e-3, minutes=None,
-        freeze_norms=False, say=print):
+        freeze_norms=False, harder=False, say=print):
     """Returns the trained network. `network`: one to go on with (fine-tuning). Stops early after `minutes`."""
     torch.manual_seed(seed)
     rng = np.random.default_rng(seed)
@@ -48,7 +48,7 @@ def fit(storeys, steps, seed, checkpoint, network=None, batch_size=4, size=64, c
                 break
         for group in optimizer.param_groups:  # warm up, then down to nothing along a cosine
             group["lr"] = rate * min(1.0, (step + 1) / 50.0) * 0.5 * (1.0 + np.cos(np.pi * progress))
-        raster, features, places, labels = data.batch(storeys, batch_size, size, cells, rng)
+        raster, features, places, labels = data.batch(storeys, batch_size, size, cells, rng, harder)
         optimizer.zero_grad()
         scores = network(raster, features, places)
         loss = criterion(scores, labels)
@@ -73,6 +73,15 @@ def fit(storeys, steps, seed, checkpoint, network=None, batch_size=4, size=64, c
 def shift_scores(network, by):
     with torch.no_grad():
         network.head[-1].bias += by
+
+
+def mean(first, second, share):
+    """The second network, its weights mixed with this share of the first's: such means hold on other data better."""
+    with torch.no_grad():
+        for a, b in zip(first.state_dict().values(), second.state_dict().values()):
+            if b.is_floating_point():
+                b.lerp_(a, share)
+    return second
 
 
 def save(network, path):

@@ -59,9 +59,11 @@ def make_surveys(build, folder, first_seed, count, jobs, extra=()):
 
 
 def features_of_clouds(build, folder, out):
-    """Features of every labelled cloud in a folder: NAME.laz, or NAME/scan.laz."""
+    """Features of every labelled cloud in a folder: NAME.laz, or NAME/scan.laz; or those that `surveys` made."""
     clouds = {p.stem: p for p in sorted(folder.glob("*.la[sz]"))}
     clouds.update({p.parent.name: p for p in sorted(folder.glob("*/scan.la[sz]"))})
+    if not clouds and any(folder.glob("*/0_shape.npy")):
+        return data.load(folder)
     if not clouds:
         raise SystemExit(f"scripts/train: there is no .laz file in {folder}")
     out.mkdir(parents=True, exist_ok=True)
@@ -135,6 +137,10 @@ def parse():
     step.add_argument("--model", type=pathlib.Path, default=SHIPPED)
     step.add_argument("--features", type=pathlib.Path, help="where to keep the features [a folder in /tmp]")
     step.add_argument("--steps", type=int, default=400)
+    step.add_argument("--rate", type=float, default=3e-4, help="of learning, at its highest")
+    step.add_argument("--keep", type=float, default=0.0, help="share of the first model's weights in the new one's, 0 to 1")
+    step.add_argument("--harder", action="store_true", help="hide and thin parts of the squares, as `all` does: for real clouds "
+                      "unlike those trained on")
     return parser.parse_args()
 
 
@@ -146,7 +152,7 @@ def train_all(o):
     make_surveys(o.build, o.out / "train", first, count, 1 if o.quick else o.threads, small)
     make_surveys(o.build, o.out / "held-out", first + 100000, size["held_out"], o.threads, small)
     storeys = all_storeys(data.load(o.out / "train"))
-    network = fit.fit(storeys, steps, o.seed, o.out / "checkpoint.pt", minutes=o.minutes,
+    network = fit.fit(storeys, steps, o.seed, o.out / "checkpoint.pt", minutes=o.minutes, harder=not o.quick,
                       **(QUICK_FIT if o.quick else {}))
     text = measure(network, data.load(o.out / "held-out"))
     print(text)
@@ -172,9 +178,11 @@ def main():
             surveys = features_of_clouds(o.build, o.data, features)
             network = read_network(o.model)
             if o.step == "fine-tune":
-                network = fit.fit(all_storeys(surveys), o.steps, o.seed, o.out.with_suffix(".pt"), network, rate=3e-4,
-                                  freeze_norms=True)
-                export(network, o.out, f"fine-tuned from {o.model.name}, seed {o.seed}, {o.steps} steps")
+                network = fit.fit(all_storeys(surveys), o.steps, o.seed, o.out.with_suffix(".pt"), network, rate=o.rate,
+                                  freeze_norms=True, harder=o.harder)
+                network = fit.mean(read_network(o.model), network, o.keep)
+                export(network, o.out, f"fine-tuned from {o.model.name}, seed {o.seed}, {o.steps} steps, "
+                       f"{o.keep:g} of its weights kept")
             print(measure(network, surveys))
         finally:
             if not o.features:

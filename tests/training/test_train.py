@@ -68,5 +68,17 @@ def test_fine_tuning_on_own_clouds_makes_them_right(trained, tmp_path):
     assert iou(again, "office", "wall") == pytest.approx(iou(after, "office", "wall"), abs=0.002)
 
 
+def test_fine_tuning_on_surveys_keeps_as_much_of_the_first_model_as_asked_for(trained, tmp_path):
+    folder, _ = trained
+    first = folder / "model.onnx"
+    texts = {}
+    for keep in (0, 1):
+        train("fine-tune", folder / "train", tmp_path / f"{keep}.onnx", "--model", first, "--steps", 3, "--keep", keep)
+        texts[keep] = train("evaluate", folder / "held-out", "--model", tmp_path / f"{keep}.onnx")
+    before = train("evaluate", folder / "held-out", "--model", first)
+    assert texts[1] == before
+    assert texts[0] != before
+
+
 def test_a_folder_without_clouds_is_named(tmp_path):
     assert f"there is no .laz file in {tmp_path}" in train("evaluate", tmp_path, fails=True)
