@@ -108,8 +108,9 @@ public:
     {
         const double elevation = m_lowest + static_cast<double>(ring) * m_step;
         const bool isLineLaser = m_settings.lineStep_deg > 0.0;
-        const double step = isLineLaser ? radians(m_settings.lineStep_deg) : m_step / std::cos(elevation);
-        const auto count = std::max<std::size_t>(8, static_cast<std::size_t>(2.0 * std::numbers::pi / step));
+        const double rays = isLineLaser ? 2.0 * std::numbers::pi / radians(m_settings.lineStep_deg)
+                                        : 2.0 * std::numbers::pi * std::cos(elevation) / m_step;
+        const auto count = std::max<std::size_t>(8, static_cast<std::size_t>(rays));
         const double jitter = isLineLaser ? 0.05 : 0.25;
         std::vector<Eigen::Vector3f> directions(count);  // in the world: what the scanner takes for upright may lean
         std::vector<Return> returns(count);
