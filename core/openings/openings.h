@@ -22,7 +22,7 @@ struct OpeningParams
     double maximumDoorWidth_m = 4.0;
     double minimumDoorHeight_m = 1.6;
     double minimumWindowWidth_m = 0.30;
-    double maximumWindowWidth_m = 12.0;  ///< of one that is seen by its recess alone
+    double maximumWindowWidth_m = 6.0;  ///< of one that is seen by its recess alone
     double minimumWindowHeight_m = 0.30;
     double minimumEmptyDoorWidth_m = 0.55;   ///< of a hole without leaf, frame or label that counts as a door
     double maximumEmptyDoorWidth_m = 1.35;   ///< of the same; a wider one is a plain opening

@@ -200,8 +200,8 @@ std::vector<Hole> recessedHoles(const WallView& view, const std::vector<Hole>& t
             // Furniture hides one face and leaves the other; only a hole has jambs and a head.
             if (begin.has_value() + end.has_value() + head.has_value() < 2)
                 continue;
-            // At the wall's end the face may just not have been seen.
-            if ((g.x0 == 0 || g.x1 == r.columns) && !(begin && end && head))
+            // At the wall's end the face may just not have been seen; above a window there is some of it.
+            if ((g.x0 == 0 || g.x1 == r.columns) && !(begin && end && head && g.y1 + 1 < r.rows))
                 continue;
             h.begin = begin.value_or(faceEdge(view, h.begin, true, low, high));
             h.end = end.value_or(faceEdge(view, h.end, false, low, high));
