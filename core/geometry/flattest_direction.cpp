@@ -19,7 +19,7 @@ FlattestDirection flattestDirection(const Eigen::Matrix3d& a)
     const double determinant = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
     if (!(trace > 0.0))
         return result;
-    // Newton's steps from below the smallest root never pass it; of flat patches three or four reach it.
+    // Newton's steps from below the smallest root never pass it; few are needed where a patch is flat.
     double v = 0.0;
     for (int step = 0; step < 40; ++step)
     {
